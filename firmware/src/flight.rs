@@ -10,7 +10,7 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, Message, RECORD_BYTES, Setpoint, Telemetry, Uplink,
+    ArmingBlock, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 
@@ -23,10 +23,9 @@ use crate::gyro::{Gyro, ImuSample};
 use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
 use crate::player::Player;
 use crate::rate_control::RateController;
-use crate::recorder::Recorder;
+use crate::recorder::{RecordMemory, Recorder};
 use crate::requests::Tables;
 use crate::supervisor::{Conditions, Supervisor};
-use mintime_shared::messages::RecordedTick;
 use mintime_shared::model::GRAVITY_MPS2;
 
 /// Requests that arrived since the last tick.
@@ -58,12 +57,12 @@ pub struct TickOutput {
 
 /// The whole on-board logic between sensors and motors.
 #[derive(Debug)]
-pub struct FlightLogic<'a> {
+pub struct FlightLogic<M> {
     pub(crate) config: VehicleConfig,
     pub(crate) capabilities: Capabilities,
     pub(crate) supervisor: Supervisor,
     pub(crate) tables: Tables,
-    pub(crate) recorder: Recorder<'a>,
+    pub(crate) recorder: Recorder<M>,
     pub(crate) link_errors: u32,
     gyro: Gyro,
     player: Player,
@@ -86,13 +85,9 @@ pub struct FlightLogic<'a> {
     kill: bool,
 }
 
-impl<'a> FlightLogic<'a> {
+impl<M: RecordMemory> FlightLogic<M> {
     /// A vehicle that was just switched on. `record` is the memory for flight records.
-    pub const fn new(
-        config: VehicleConfig,
-        capabilities: Capabilities,
-        record: &'a mut [[u8; RECORD_BYTES]],
-    ) -> Self {
+    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
         Self {
             config,
             capabilities,

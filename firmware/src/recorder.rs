@@ -2,18 +2,22 @@
 
 use mintime_shared::messages::{MAX_CHUNK_BYTES, RECORD_BYTES, RecordChunk, RecordedTick};
 
+/// Memory for a record, one slot a tick: a `&'static mut [[u8; 20]]` on a board, a `Vec` on a host.
+pub trait RecordMemory: AsRef<[[u8; RECORD_BYTES]]> + AsMut<[[u8; RECORD_BYTES]]> {}
+impl<M: AsRef<[[u8; RECORD_BYTES]]> + AsMut<[[u8; RECORD_BYTES]]>> RecordMemory for M {}
+
 /// A record of the last maneuver: what fits is kept, the rest of a longer one is not.
 #[derive(Debug)]
-pub struct Recorder<'a> {
-    storage: &'a mut [[u8; RECORD_BYTES]],
+pub struct Recorder<M> {
+    memory: M,
     length: usize,
     last_us: Option<u64>,
 }
 
-impl<'a> Recorder<'a> {
+impl<M: RecordMemory> Recorder<M> {
     /// An empty record in the given memory; its old content does not matter.
-    pub const fn new(storage: &'a mut [[u8; RECORD_BYTES]]) -> Self {
-        Self { storage, length: 0, last_us: None }
+    pub const fn new(memory: M) -> Self {
+        Self { memory, length: 0, last_us: None }
     }
 
     /// Forgets the record and begins a new one.
@@ -24,7 +28,7 @@ impl<'a> Recorder<'a> {
 
     /// Adds a tick; its interval is filled in from the clock.
     pub fn push(&mut self, now_us: u64, mut tick: RecordedTick) {
-        let Some(slot) = self.storage.get_mut(self.length) else {
+        let Some(slot) = self.memory.as_mut().get_mut(self.length) else {
             return;
         };
         let interval = self.last_us.map_or(0, |last| now_us.saturating_sub(last));
@@ -36,7 +40,7 @@ impl<'a> Recorder<'a> {
 
     /// Recorded ticks.
     pub fn len(&self) -> u32 {
-        // Storage is far below u32::MAX ticks.
+        // Memory is far below u32::MAX ticks.
         self.length as u32
     }
 
@@ -47,7 +51,7 @@ impl<'a> Recorder<'a> {
 
     /// A run of ticks from `first` on; `None` beyond the end. An empty record has one empty chunk.
     pub fn chunk(&self, first: u32) -> Option<RecordChunk> {
-        let recorded = self.storage.get(..self.length)?;
+        let recorded = self.memory.as_ref().get(..self.length)?;
         let rest = recorded.get(usize::try_from(first).ok()?..)?;
         if rest.is_empty() && first != 0 {
             return None;

@@ -9,6 +9,7 @@ use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableEr
 
 use crate::config::{FIRMWARE_VERSION, INBOX, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox};
+use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
 
 type TableBytes = Vec<u8, MAX_TABLE_BYTES>;
@@ -85,7 +86,7 @@ impl Tables {
 /// Answers that depend on what the supervisor makes of the request: done if this state follows.
 pub(crate) type Pending = Vec<(u16, FlightState), INBOX>;
 
-impl FlightLogic<'_> {
+impl<M: RecordMemory> FlightLogic<M> {
     /// Carries out the requests of one tick. What is up to the supervisor goes into `conditions` and is answered after
     /// its step.
     pub(crate) fn take_requests(

@@ -1,27 +1,24 @@
 //! The flight logic with its link: what a board owns.
 
-use mintime_shared::messages::{FlightState, RECORD_BYTES};
+use mintime_shared::messages::FlightState;
 
 use crate::config::{Capabilities, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use crate::link::Link;
+use crate::recorder::RecordMemory;
 
 /// Serial bytes and sensor samples in, serial bytes and throttles out.
 #[derive(Debug)]
-pub struct Vehicle<'a> {
+pub struct Vehicle<M> {
     link: Link,
     inbox: Inbox,
     outbox: Outbox,
-    logic: FlightLogic<'a>,
+    logic: FlightLogic<M>,
 }
 
-impl<'a> Vehicle<'a> {
+impl<M: RecordMemory> Vehicle<M> {
     /// A vehicle that was just switched on. `record` is the memory for flight records, 20 bytes a tick.
-    pub const fn new(
-        config: VehicleConfig,
-        capabilities: Capabilities,
-        record: &'a mut [[u8; RECORD_BYTES]],
-    ) -> Self {
+    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
         Self {
             link: Link::new(),
             inbox: Inbox::new(),
