@@ -31,3 +31,6 @@ pub use data::{
 };
 pub use output::{OutputError, check_writable, write_whole};
 pub use write::{LogError, METADATA, TABLE_ATTACHMENT, write_mcap};
+
+#[cfg(test)]
+mod tests;
