@@ -60,7 +60,7 @@ impl ImuSensor {
                 noise: Noise::new(seed, noise),
                 filter,
                 counts_per_unit,
-                counts_max: libm::floor(range * counts_per_unit).min(f64::from(i16::MAX)),
+                counts_max: libm::rint(range * counts_per_unit),
                 quantised: imu.quantised,
             }
         };
@@ -168,8 +168,11 @@ impl Channel {
     fn sample(&mut self) -> ([i16; 3], [f32; 3]) {
         let noise = Vector3::from(self.noise.normal3(self.deviation));
         let value = self.filter.output().component_mul(&self.scale) + self.bias + noise;
-        let counts =
-            value.map(|v| libm::rint(v * self.counts_per_unit).clamp(-self.counts_max, self.counts_max));
+        // At full range the positive end of the register is one count short of the negative one.
+        let counts = value.map(|v| {
+            let counts = libm::rint(v * self.counts_per_unit).clamp(-self.counts_max, self.counts_max);
+            counts.clamp(f64::from(i16::MIN), f64::from(i16::MAX))
+        });
         let si = if self.quantised { counts / self.counts_per_unit } else { value };
         (<[f64; 3]>::from(counts).map(|c| c as i16), <[f64; 3]>::from(si).map(|v| v as f32))
     }

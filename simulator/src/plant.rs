@@ -5,7 +5,6 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::{
     parameters::{Ground, Model, VehicleParameters},
     planning::{self, RATE_MAX_RADPS, THRUST_MAX_MPS2},
-    power::BatteryState,
     rigid_body::{BodyState, RigidBody},
     simulator::Command,
     truth::{Contact, Truth, nearest_turn},
@@ -16,7 +15,6 @@ use crate::{
 pub(crate) struct Plant {
     model: Model,
     body: RigidBody,
-    battery: BatteryState,
     ground: Ground,
     ground_z_m: f64,
     gravity_mps2: f64,
@@ -45,11 +43,10 @@ impl Plant {
         Self {
             model: parameters.model,
             body: RigidBody::new(parameters, seed),
-            battery: BatteryState::new(&parameters.battery),
             ground: parameters.ground.clone(),
             ground_z_m,
             gravity_mps2: parameters.gravity_mps2,
-            state: BodyState::at_rest(position, level(heading_rad)),
+            state: BodyState::at_rest(position, level(heading_rad), parameters.battery.charge),
             throttle: [0.0; 4],
             rates: Vector3::zeros(),
             thrust_mps2: 0.0,
@@ -93,14 +90,12 @@ impl Plant {
         let next = match self.model {
             Model::RigidBody => {
                 let throttle = core::array::from_fn(|i| if dead_rotors[i] { 0.0 } else { self.throttle[i] });
-                let next = self.body.step(&self.state, &throttle, &self.battery, self.on_ground, step_s);
-                self.battery.drain(self.body.air_power_w(&self.state), step_s);
-                next
+                self.body.step(&self.state, &throttle, self.on_ground, step_s)
             }
             Model::Planning if self.on_ground => self.state,
             Model::Planning => planning::step(&self.state, self.thrust_mps2, self.gravity_mps2, step_s),
         };
-        if next.is_finite() {
+        if next.is_sound() {
             self.state = next;
         } else {
             // Parameters at the edge of what is accepted can spin a body up without bound. That is a crash too.
@@ -180,12 +175,9 @@ impl Plant {
         }
     }
 
-    /// Battery voltage under load, V.
+    /// Battery voltage under load, V. The planning model draws nothing.
     pub(crate) fn battery_v(&self) -> f64 {
-        match self.model {
-            Model::RigidBody => self.battery.voltage_v(self.body.air_power_w(&self.state)),
-            Model::Planning => self.battery.open_circuit_v(),
-        }
+        self.body.battery_v(&self.state)
     }
 
     pub(crate) fn truth(&self, time_ns: u64) -> Truth {

@@ -11,11 +11,14 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 use crate::{
     noise::{Noise, Source},
-    parameters::VehicleParameters,
-    power::BatteryState,
+    parameters::{Battery, VehicleParameters},
 };
 
-/// Position, velocity (world), attitude (body to world), body rates, rotor speeds; also their time derivatives.
+/// Body rates beyond this, rad/s, turn by a radian and more in a step of a quarter of a millisecond.
+const RATE_SOUND_RADPS: f64 = 4000.0;
+
+/// Position, velocity (world), attitude (body to world), body rates, rotor speeds, battery charge (0 to 1); also
+/// their time derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyState {
     pub(crate) position: Vector3<f64>,
@@ -23,17 +26,19 @@ pub(crate) struct BodyState {
     pub(crate) attitude: Quaternion<f64>,
     pub(crate) rates: Vector3<f64>,
     pub(crate) rotors: Vector4<f64>,
+    pub(crate) charge: f64,
 }
 
 impl BodyState {
     /// At rest, rotors stopped.
-    pub(crate) fn at_rest(position: Vector3<f64>, attitude: UnitQuaternion<f64>) -> Self {
+    pub(crate) fn at_rest(position: Vector3<f64>, attitude: UnitQuaternion<f64>, charge: f64) -> Self {
         Self {
             position,
             velocity: Vector3::zeros(),
             attitude: attitude.into_inner(),
             rates: Vector3::zeros(),
             rotors: Vector4::zeros(),
+            charge,
         }
     }
 
@@ -44,16 +49,19 @@ impl BodyState {
             attitude: self.attitude + derivative.attitude * step_s,
             rates: self.rates + derivative.rates * step_s,
             rotors: self.rotors + derivative.rotors * step_s,
+            charge: self.charge + derivative.charge * step_s,
         }
     }
 
-    pub(crate) fn is_finite(&self) -> bool {
+    /// Whether the integration still means something: all numbers finite, and less than a radian of turn in a step.
+    pub(crate) fn is_sound(&self) -> bool {
         let finite = |v: &[f64]| v.iter().all(|x| x.is_finite());
         finite(self.position.as_slice())
             && finite(self.velocity.as_slice())
             && finite(self.attitude.coords.as_slice())
-            && finite(self.rates.as_slice())
+            && self.rates.norm() < RATE_SOUND_RADPS
             && finite(self.rotors.as_slice())
+            && self.charge.is_finite()
     }
 
     /// Attitude as a rotation, body to world.
@@ -67,6 +75,7 @@ impl BodyState {
 pub(crate) struct RigidBody {
     mass_kg: f64,
     gravity_mps2: f64,
+    battery: Battery,
     inertia: Matrix3<f64>,
     inertia_inverse: Matrix3<f64>,
     /// Thrust coefficient of each rotor, errors included.
@@ -94,6 +103,7 @@ impl RigidBody {
         Self {
             mass_kg: body.mass_kg,
             gravity_mps2: parameters.gravity_mps2,
+            battery: parameters.battery.clone(),
             inertia,
             inertia_inverse: Matrix3::from_diagonal(&Vector3::from(body.inertia_kgm2.map(|j| 1.0 / j))),
             thrust_coefficients: Vector4::from_fn(|_, _| {
@@ -129,8 +139,13 @@ impl RigidBody {
         self.thrusts(&state.rotors).sum() / self.mass_kg
     }
 
+    /// Battery voltage under load, V.
+    pub(crate) fn battery_v(&self, state: &BodyState) -> f64 {
+        self.battery.voltage_v(state.charge, self.air_power_w(state))
+    }
+
     /// Mechanical power that the rotors put into the air, W.
-    pub(crate) fn air_power_w(&self, state: &BodyState) -> f64 {
+    fn air_power_w(&self, state: &BodyState) -> f64 {
         self.torque_ratio_m * self.thrusts(&state.rotors).dot(&state.rotors)
     }
 
@@ -143,14 +158,10 @@ impl RigidBody {
     }
 
     /// Time derivative of the state under throttles. On the ground only the rotors move.
-    fn derivative(
-        &self,
-        state: &BodyState,
-        throttle: &[f64; 4],
-        battery: &BatteryState,
-        on_ground: bool,
-    ) -> BodyState {
-        let voltage = battery.voltage_v(self.air_power_w(state));
+    fn derivative(&self, state: &BodyState, throttle: &[f64; 4], on_ground: bool) -> BodyState {
+        let air_w = self.air_power_w(state);
+        let voltage = self.battery.voltage_v(state.charge, air_w);
+        let charge = -self.battery.discharge_per_s(state.charge, air_w);
         let spin_up = Vector4::from_fn(|i, _| {
             let lag = throttle[i] * self.speed_per_volt * voltage - state.rotors[i];
             lag / if lag > 0.0 { self.time_constant_up_s } else { self.time_constant_down_s }
@@ -162,6 +173,7 @@ impl RigidBody {
                 attitude: Quaternion::from_parts(0.0, Vector3::zeros()),
                 rates: Vector3::zeros(),
                 rotors: spin_up,
+                charge,
             };
         }
         let thrusts = self.thrusts(&state.rotors);
@@ -176,6 +188,7 @@ impl RigidBody {
             attitude: state.attitude * Quaternion::from_parts(0.0, 0.5 * state.rates),
             rates: self.inertia_inverse * (torque - state.rates.cross(&momentum)),
             rotors: spin_up,
+            charge,
         }
     }
 
@@ -184,11 +197,10 @@ impl RigidBody {
         &self,
         state: &BodyState,
         throttle: &[f64; 4],
-        battery: &BatteryState,
         on_ground: bool,
         step_s: f64,
     ) -> BodyState {
-        let rate = |s: &BodyState| self.derivative(s, throttle, battery, on_ground);
+        let rate = |s: &BodyState| self.derivative(s, throttle, on_ground);
         let k1 = rate(state);
         let k2 = rate(&state.plus(&k1, 0.5 * step_s));
         let k3 = rate(&state.plus(&k2, 0.5 * step_s));

@@ -17,7 +17,7 @@ fn tumbling() -> BodyState {
     BodyState {
         velocity: Vector3::new(1.0, -2.0, 3.0),
         rates: Vector3::new(9.0, -14.0, 6.0),
-        ..BodyState::at_rest(Vector3::new(0.5, 0.2, 10.0), attitude)
+        ..BodyState::at_rest(Vector3::new(0.5, 0.2, 10.0), attitude, 0.9)
     }
 }
 
@@ -29,8 +29,7 @@ fn run(
     step_s: f64,
 ) -> BodyState {
     let body = RigidBody::new(vehicle, 0);
-    let battery = BatteryState::new(&vehicle.battery);
-    (0..steps).fold(start, |state, _| body.step(&state, &throttle, &battery, false, step_s))
+    (0..steps).fold(start, |state, _| body.step(&state, &throttle, false, step_s))
 }
 
 #[test]
@@ -84,13 +83,12 @@ fn the_integration_is_of_fourth_order() {
 fn at_hover_speed_thrust_equals_weight() {
     let vehicle = vacuum();
     let body = RigidBody::new(&vehicle, 0);
-    let level = BodyState::at_rest(Vector3::zeros(), UnitQuaternion::identity());
+    let level = BodyState::at_rest(Vector3::zeros(), UnitQuaternion::identity(), 0.9);
     let state = BodyState { rotors: Vector4::from_element(vehicle.hover_speed_radps()), ..level };
     assert!((body.thrust_mps2(&state) - vehicle.gravity_mps2).abs() < 1e-12);
-    let battery = BatteryState::new(&vehicle.battery);
-    let voltage = battery.voltage_v(body.air_power_w(&state));
+    let voltage = body.battery_v(&state);
     let throttle = vehicle.throttle(vehicle.gravity_mps2, voltage);
-    let derivative = body.derivative(&state, &[throttle; 4], &battery, false);
+    let derivative = body.derivative(&state, &[throttle; 4], false);
     assert!(derivative.velocity.norm() < 1e-12 && derivative.rates.norm() < 1e-12);
     assert!(derivative.rotors.norm() < 1e-6);
     // RotorPy's parameters give 1086 rad/s: sqrt(0.752 × 9.81/(4 × 1.562522e-6)).
@@ -107,7 +105,7 @@ fn rotor_drag_slows_along_the_body_axes() {
     let state = BodyState {
         velocity: Vector3::new(0.0, 4.0, 2.0),
         rotors: Vector4::from_element(vehicle.hover_speed_radps()),
-        ..BodyState::at_rest(Vector3::zeros(), attitude)
+        ..BodyState::at_rest(Vector3::zeros(), attitude, 0.9)
     };
     let force = body.specific_force(&state);
     assert!((force - Vector3::new(-2.0, 0.0, 9.81 - 0.2)).norm() < 1e-12, "{force}");

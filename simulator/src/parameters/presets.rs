@@ -32,7 +32,7 @@ impl VehicleParameters {
                 torque_ratio_m: 0.022,
                 time_constant_up_s: 0.033,
                 time_constant_down_s: 0.033,
-                // Assumed: bell and 5-inch propeller of a 2306 motor.
+                // Assumed: bell and 5-inch propeller.
                 inertia_kgm2: 5.6e-6,
                 // Assumed: spread between propellers and motors of one batch.
                 thrust_error: 0.03,
