@@ -234,18 +234,18 @@ impl<M: RecordMemory> FlightLogic<M> {
         if old == FlightState::Maneuver {
             self.player.stop();
             // The plan's accumulated error is no business of the host's setpoints.
-            self.rate.reset();
+            self.rate.reset(self.gyro.rates_radps());
         }
         match new {
             FlightState::Armed => {
-                self.rate.reset();
+                self.rate.reset(self.gyro.rates_radps());
                 self.runaway_ticks = 0;
                 self.worst_interval_us = 0;
                 // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
             }
             FlightState::Maneuver => {
-                self.rate.reset();
+                self.rate.reset(self.gyro.rates_radps());
                 self.runaway_ticks = 0;
                 self.recorder.clear();
                 if let Some(plan) = self.tables.plan() {
@@ -282,7 +282,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         let dt_s = (self.interval_us as f32 * 1.0e-6).min(CONTROL_STEP_MAX_S);
         let Some(setpoint) = setpoint else {
             self.commanded = Setpoint::default();
-            self.rate.reset();
+            self.rate.reset(self.gyro.rates_radps());
             let off = self.drive.rest(&self.config, dt_s);
             // Idle is zero demand: the mixer's floor keeps the rotors turning.
             let idle = (self.state() == FlightState::Armed)

@@ -1,3 +1,6 @@
-//! solver
+//! Minimum-time quadrotor maneuvers: computed, verified against the minimum principle, packed into a table, uploaded
+//! and flown.
+
+pub mod flight;
 pub mod flight_log;
 pub mod report;

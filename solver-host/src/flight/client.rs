@@ -25,7 +25,9 @@ pub enum ClientError {
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]
     Mismatch,
     /// The vehicle speaks another protocol.
-    #[error("the vehicle speaks protocol version {0}, this mintime speaks {PROTOCOL_VERSION}: flash its firmware again")]
+    #[error(
+        "the vehicle speaks protocol version {0}, this mintime speaks {PROTOCOL_VERSION}: flash its firmware again"
+    )]
     Version(u8),
     /// The line failed.
     #[error(transparent)]
@@ -78,7 +80,12 @@ impl Client {
     ///
     /// # Errors
     /// [`ConnectionError`] of the line.
-    pub fn ask(&mut self, line: &mut impl Connection, request: Request, now_s: f64) -> Result<(), ConnectionError> {
+    pub fn ask(
+        &mut self,
+        line: &mut impl Connection,
+        request: Request,
+        now_s: f64,
+    ) -> Result<(), ConnectionError> {
         let number = self.next_number();
         transmit(line, number, request.clone())?;
         self.pending = Some(Pending { number, request, sent_s: now_s, tries: 1 });

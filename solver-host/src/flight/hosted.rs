@@ -8,6 +8,7 @@ use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::messages::{FlightState, RECORD_BYTES};
+use mintime_shared::replay::TICK_PERIOD_US;
 use mintime_simulator::{Command, Event, Simulator, SimulatorError, Start, Truth, VehicleParameters};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -20,6 +21,10 @@ const LINE_BYTES_PER_S: u64 = 92_160;
 const RECORD_TICKS: usize = 3200;
 /// From the gyro's data-ready edge until the motors have their command, ns: the board's budget.
 const LATENCY_NS: u64 = 100_000;
+/// Nominal tick, ns.
+const TICK_NS: u64 = TICK_PERIOD_US as u64 * 1000;
+/// Without a sample for this long after the last tick the flight logic runs without one, ns: the board's timer.
+const SAMPLE_TIMEOUT_NS: u64 = TICK_NS * 3 / 2;
 /// Outside a maneuver every so many ticks are logged: 100 Hz.
 const CALM_LOG_EVERY: u32 = 8;
 /// Every tick is logged for this long after a maneuver, ns.
@@ -55,6 +60,8 @@ pub struct HostedVehicle {
     to_host: Vec<u8>,
     phase: Phase,
     last_tick_ns: u64,
+    /// When the board's timer runs the flight logic without a sample, ns.
+    timeout_ns: u64,
     ticks: u32,
     dense_until_ns: u64,
     trace: Trace,
@@ -88,6 +95,7 @@ impl HostedVehicle {
             to_host: Vec::new(),
             phase: Phase::default(),
             last_tick_ns: 0,
+            timeout_ns: SAMPLE_TIMEOUT_NS,
             ticks: 0,
             dense_until_ns: 0,
             trace: Trace::default(),
@@ -110,8 +118,9 @@ impl HostedVehicle {
         self.trace
     }
 
-    /// One control tick of the vehicle.
-    fn tick(&mut self, time_ns: u64, sample: &mintime_simulator::ImuSample) {
+    /// One control tick of the vehicle, with a sample or because none came in time.
+    fn tick(&mut self, time_ns: u64, sample: Option<&mintime_simulator::ImuSample>) {
+        self.timeout_ns = time_ns + if sample.is_some() { SAMPLE_TIMEOUT_NS } else { TICK_NS };
         let interval_ns = time_ns - core::mem::replace(&mut self.last_tick_ns, time_ns);
         let budget = (interval_ns.saturating_mul(LINE_BYTES_PER_S) / 1_000_000_000) as usize;
         let arriving = budget.min(self.to_vehicle.len());
@@ -119,9 +128,9 @@ impl HostedVehicle {
         self.vehicle.receive(&bytes);
 
         let before = self.vehicle.state();
-        let imu = ImuSample { gyro_radps: sample.rates_radps, accel_mps2: sample.specific_force_mps2 };
+        let imu = sample.map(|s| ImuSample { gyro_radps: s.rates_radps, accel_mps2: s.specific_force_mps2 });
         let battery_v = Some(self.simulator.battery_v());
-        let input = TickInput { now_us: time_ns / 1000, imu: Some(imu), battery_v, kill: false };
+        let input = TickInput { now_us: time_ns / 1000, imu, battery_v, kill: false };
         let output = self.vehicle.tick(&input);
 
         let mut out = vec![0; budget];
@@ -150,7 +159,7 @@ impl HostedVehicle {
                 time_ns,
                 phase: self.phase.name().to_owned(),
                 truth: self.logged_truth(),
-                gyro_radps: Some(sample.rates_radps),
+                gyro_radps: sample.map(|s| s.rates_radps),
                 setpoint_radps: output.setpoint.rates_radps,
                 setpoint_thrust_mps2: output.setpoint.thrust_mps2,
                 throttle: output.throttle.unwrap_or_default(),
@@ -188,9 +197,18 @@ impl Connection for HostedVehicle {
         let deadline_ns = self.simulator.now_ns() + POSE_TIMEOUT_NS;
         loop {
             self.note_end();
+            if self.simulator.next_event_time_ns() > self.timeout_ns {
+                let time_ns = self.timeout_ns;
+                self.simulator.advance_to(time_ns);
+                self.tick(time_ns, None);
+                if time_ns > deadline_ns {
+                    return Err(ConnectionError::NoPose);
+                }
+                continue;
+            }
             let (time_ns, event) = self.simulator.next_event().ok_or(ConnectionError::NoPose)?;
             match event {
-                Event::Gyro(sample) => self.tick(time_ns, &sample),
+                Event::Gyro(sample) => self.tick(time_ns, Some(&sample)),
                 Event::MotionCapture(pose) => {
                     let [w, x, y, z] = pose.attitude;
                     if let Some(last) = self.trace.samples.last_mut() {

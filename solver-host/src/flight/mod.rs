@@ -31,7 +31,9 @@ pub const GATE_TILT_RAD: f64 = 2.0e-3;
 /// The gate: largest speed at which a maneuver is triggered, m/s.
 pub const GATE_SPEED_MPS: f64 = 2.0e-2;
 /// The gate must hold for this long, s.
-const GATE_HOLD_S: f64 = 0.1;
+const GATE_HOLD_S: f64 = 0.3;
+/// The vehicle hovers at least this long before the gate is looked at, s: the climb has died away.
+const HOVER_SETTLE_S: f64 = 2.5;
 /// The gate is given up after this long, s.
 const GATE_TIMEOUT_S: f64 = 20.0;
 /// At the gate the vehicle is where it should be within this, m.
@@ -72,8 +74,7 @@ impl FlightPlan {
         let (start, end) = (self.table.start, self.table.end);
         let along = f64::from(end.x - start.x);
         let heading = f64::from(self.table.heading_rad);
-        self.start_m
-            + Vector3::new(along * heading.cos(), along * heading.sin(), f64::from(end.z - start.z))
+        self.start_m + Vector3::new(along * heading.cos(), along * heading.sin(), f64::from(end.z - start.z))
     }
 }
 
@@ -381,7 +382,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             let (least_t, least_s) = (least_tilt.min(tilt), least_speed.min(speed));
             (least_tilt, least_speed) = (least_t, least_s);
             let near = (estimate.position_m - reference.position_m).norm() <= GATE_POSITION_M;
-            let open = near && tilt <= GATE_TILT_RAD && speed <= GATE_SPEED_MPS;
+            let settled = self.now_s - since >= HOVER_SETTLE_S;
+            let open = settled && near && tilt <= GATE_TILT_RAD && speed <= GATE_SPEED_MPS;
             let began = if open { *open_since.get_or_insert(self.now_s) } else { f64::INFINITY };
             if !open {
                 open_since = None;
@@ -429,7 +431,11 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
             if late || (seen && t.state != FlightState::Maneuver) {
                 self.playing = None;
-                return Ok(if t.maneuver_complete { None } else { Some(t.abort.unwrap_or(AbortReason::LateTicks)) });
+                return Ok(if t.maneuver_complete {
+                    None
+                } else {
+                    Some(t.abort.unwrap_or(AbortReason::LateTicks))
+                });
             }
         }
     }
@@ -440,7 +446,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let since = self.now_s;
         let mut settled_since = None;
         while self.now_s - since < CATCH_TIMEOUT_S {
-            let estimate = self.watch("flying", &[FlightState::Flying, FlightState::LinkLost, FlightState::Maneuver])?;
+            let estimate =
+                self.watch("flying", &[FlightState::Flying, FlightState::LinkLost, FlightState::Maneuver])?;
             if self.now_s - since > 1.5 {
                 self.calmness = Calmness::Calm;
             }

@@ -61,8 +61,8 @@ pub fn control(estimate: &Estimate, reference: &Reference) -> Setpoint {
     let axes = Matrix3::from_columns(&[left.cross(&up), left, up]);
     let target = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
     let error = (estimate.attitude.inverse() * target).scaled_axis();
-    let rates =
-        Vector3::new(ATTITUDE_GAIN * error.x, ATTITUDE_GAIN * error.y, HEADING_GAIN * error.z).cap_magnitude(RATE_MAX_RADPS);
+    let rates = Vector3::new(ATTITUDE_GAIN * error.x, ATTITUDE_GAIN * error.y, HEADING_GAIN * error.z)
+        .cap_magnitude(RATE_MAX_RADPS);
     let along_body = thrust.dot(&(estimate.attitude * Vector3::z()));
     Setpoint {
         rates_radps: [rates.x as f32, rates.y as f32, rates.z as f32],
