@@ -1,1 +1,3 @@
 //! solver
+pub mod flight_log;
+pub mod report;
