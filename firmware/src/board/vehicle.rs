@@ -20,6 +20,9 @@ const CAPABILITIES: Capabilities = Capabilities { gyro: false, motors: false };
 
 type Record = [[u8; RECORD_BYTES]; RECORD_TICKS];
 
+/// The flight logic with its link, recording into [`RECORD`].
+pub(super) type BoardVehicle = Vehicle<&'static mut [[u8; RECORD_BYTES]]>;
+
 struct RecordMemory(UnsafeCell<MaybeUninit<Record>>);
 // SAFETY: only `take` touches it, and only once.
 unsafe impl Sync for RecordMemory {}
@@ -28,10 +31,10 @@ unsafe impl Sync for RecordMemory {}
 #[unsafe(link_section = ".ccm.record")]
 static RECORD: RecordMemory = RecordMemory(UnsafeCell::new(MaybeUninit::uninit()));
 static RECORD_TAKEN: AtomicBool = AtomicBool::new(false);
-static VEHICLE: StaticCell<Vehicle<'static>> = StaticCell::new();
+static VEHICLE: StaticCell<BoardVehicle> = StaticCell::new();
 
 /// Builds the vehicle. A second call ends the run.
-pub(super) fn take() -> &'static mut Vehicle<'static> {
+pub(super) fn take() -> &'static mut BoardVehicle {
     if RECORD_TAKEN.swap(true, Ordering::AcqRel) {
         fault::set_up_failed(line!());
     }
