@@ -11,12 +11,12 @@ use embassy_executor::InterruptExecutor;
 use embassy_stm32::interrupt;
 use embassy_stm32::interrupt::InterruptExt;
 use embassy_time::{Duration, Instant, Timer};
+use mintime_firmware::flight::TickInput;
 
 use super::facts::CONTROL_PRIORITY;
 use super::link::{INBOX, OUTBOX};
-use super::vehicle::{self, TickInput};
 use super::watchdog::{self, Party};
-use super::{battery, fault};
+use super::{battery, fault, vehicle};
 
 /// Period of the control tick: 800 Hz, the gyro's native rate.
 const PERIOD: Duration = Duration::from_micros(1250);
