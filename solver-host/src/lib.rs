@@ -3,4 +3,7 @@
 
 pub mod flight;
 pub mod flight_log;
+pub mod mission;
+pub mod pack;
 pub mod report;
+pub mod solver;

@@ -19,6 +19,7 @@ fn small_flight() -> FlightLog {
         velocity_mps: [0.5, 0.0, -0.25],
         attitude_wxyz: [0.8, 0.0, 0.6, 0.0],
         body_rates_radps: [0.0, 3.0, 0.0],
+        thrust_mps2: 19.5,
         planar: state(x),
     };
     let sample = |i: u64| FlightSample {
