@@ -158,7 +158,7 @@ fn strip(svg: &mut Svg, frame: &Frame, panel: &TimePanel) {
         let fill = if span.name == "s" { SINGULAR } else { CELLS[i % 2] };
         svg.rect(&cell, &format!(r##"fill="{fill}" stroke="#ffffff""##));
         let name = fit(&span.name, SMALL_SIZE, cell.width.max(text_width("max", SMALL_SIZE)));
-        if text_width(&name, SMALL_SIZE) + 3.0 <= cell.width {
+        if text_width(&name, SMALL_SIZE) + 1.0 <= cell.width {
             let at = (cell.x + 0.5 * cell.width, y + height - 4.0);
             svg.text(at, &name, TextStyle::new(SMALL_SIZE, MUTED).anchored(Anchor::Middle));
         }
