@@ -1,1 +1,3 @@
 //! solver
+
+pub mod solver;
