@@ -67,7 +67,10 @@ fn the_ideal_vehicle_arrives_to_the_millimetre() {
         let flown = flown(&mission(x, z, "ideal", 1));
         assert_eq!(flown.flight.as_ref().expect("a flight").outcome, Outcome::Completed);
         let PlanarError { x_m, vx_mps, z_m, vz_mps, theta_rad, .. } = flown.final_error().expect("it ended");
-        assert!(x_m.hypot(z_m) < 2e-3 && vx_mps.hypot(vz_mps) < 2e-3, "{x},{z}: {x_m} {z_m} {vx_mps} {vz_mps}");
+        assert!(
+            x_m.hypot(z_m) < 2e-3 && vx_mps.hypot(vz_mps) < 2e-3,
+            "{x},{z}: {x_m} {z_m} {vx_mps} {vz_mps}"
+        );
         assert!(theta_rad.abs() < 1e-4, "{x},{z}: {theta_rad}");
     }
 }
