@@ -386,10 +386,10 @@ impl ManeuverTable {
         if self.vehicle != ANY_VEHICLE && self.vehicle != vehicle {
             return Err(TableError::OtherVehicle);
         }
-        if self.limits.thrust_max_mps2 > thrust_max_mps2 || self.limits.rate_max_radps > rate_max_radps {
-            return Err(TableError::BeyondVehicle);
-        }
-        Ok(())
+        // Written so that a bound that is not a number refuses.
+        let within =
+            self.limits.thrust_max_mps2 <= thrust_max_mps2 && self.limits.rate_max_radps <= rate_max_radps;
+        if within { Ok(()) } else { Err(TableError::BeyondVehicle) }
     }
 
     fn check_arcs(&self) -> Result<(), TableError> {
