@@ -121,7 +121,14 @@ pub const TRANSITIONS: [Transition; 20] = {
             Some(AbortReason::EmergencyStop),
         ),
         row(ON, C::KILL, NONE, Stopped, Some(AbortReason::KillSwitch)),
-        row(States::all().difference(States::DISARMED), C::DISARM, C::KILL, Disarmed, None),
+        // An emergency stop that arrives together with a disarm outlasts it.
+        row(
+            States::all().difference(States::DISARMED),
+            C::DISARM,
+            C::KILL.union(C::EMERGENCY_STOP),
+            Disarmed,
+            None,
+        ),
         // Nothing can be controlled without rates.
         row(ON, C::GYRO_MISSING, NONE, Stopped, Some(AbortReason::GyroMissing)),
         row(ON, C::GYRO_FROZEN, NONE, Stopped, Some(AbortReason::GyroFrozen)),
@@ -142,7 +149,7 @@ pub const TRANSITIONS: [Transition; 20] = {
         row(States::LINK_LOST, C::FRESH, NONE, Flying, None),
         row(States::FLYING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
         row(States::ARMED, C::FRESH.union(C::LIFTS), NONE, Flying, None),
-        row(States::DISARMED, C::ARM, C::KILL, Armed, None),
+        row(States::DISARMED, C::ARM, C::KILL.union(C::DISARM), Armed, None),
     ]
 };
 
