@@ -1,6 +1,6 @@
 //! From demands to rotor thrusts to throttles, judged by the forces and torques that the rotors then make.
 
-use mintime_firmware::config::{VehicleConfig, YAW_RESERVE};
+use mintime_firmware::config::{INTEGRAL_BOUND_RAD, VehicleConfig, YAW_RESERVE};
 use mintime_firmware::mixer::{Demand, RotorDrive, rotor_thrusts};
 use mintime_firmware::rate_control::RateController;
 use mintime_shared::frames::MOTORS;
@@ -191,7 +191,8 @@ proptest! {
         let mut loop_ = RateController::new();
         for ([a, b, c, d, e, f, g, h, i], dt) in steps {
             loop_.update([a, b, c], [d, e, f], [g, h, i], dt);
-            prop_assert!(loop_.angle_error_rad().iter().all(|e| e.abs() <= 1.0), "{:?}", loop_.angle_error_rad());
+            let errors = loop_.angle_error_rad();
+            prop_assert!(errors.iter().all(|e| e.abs() <= INTEGRAL_BOUND_RAD), "{:?}", errors);
         }
         loop_.reset([0.0; 3]);
         prop_assert_eq!(loop_.update([0.0; 3], [0.0; 3], [0.0; 3], 1.25e-3), [0.0; 3]);
