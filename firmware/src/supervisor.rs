@@ -121,6 +121,7 @@ pub const TRANSITIONS: [Transition; 20] = {
             Some(AbortReason::EmergencyStop),
         ),
         row(ON, C::KILL, NONE, Stopped, Some(AbortReason::KillSwitch)),
+        // An emergency stop that arrives together with a disarm outlasts it.
         row(
             States::all().difference(States::DISARMED),
             C::DISARM,
@@ -149,7 +150,7 @@ pub const TRANSITIONS: [Transition; 20] = {
         row(States::LINK_LOST, C::FRESH, NONE, Flying, None),
         row(States::FLYING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
         row(States::ARMED, C::FRESH.union(C::LIFTS), NONE, Flying, None),
-        row(States::DISARMED, C::ARM, C::KILL, Armed, None),
+        row(States::DISARMED, C::ARM, C::KILL.union(C::DISARM), Armed, None),
     ]
 };
 
