@@ -16,11 +16,7 @@ use super::numbers;
 use super::progress::Progress;
 use super::{recording, summary};
 
-/// Compute a minimum-time maneuver, upload it, hover, fly it with gyro feedback only, catch the vehicle, and tell what
-/// happened.
-///
-/// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
-/// anything is sent to a vehicle. The exit status is 0 only if it was flown to its end and the vehicle caught.
+/// Arguments of `mintime fly`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \

@@ -14,6 +14,11 @@ use clap::Subcommand;
 #[derive(Subcommand)]
 pub(crate) enum Command {
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
+    ///
+    /// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
+    /// anything is sent to a vehicle; then it is uploaded, the vehicle hovers, flies it with gyro feedback only, is caught
+    /// and landed, and its record is downloaded and compared with truth. The exit status is 0 only if it was flown to its
+    /// end and the vehicle caught.
     Fly(fly::Fly),
 }
 
