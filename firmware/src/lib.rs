@@ -1,1 +1,31 @@
-//! placeholder
+//! The flight logic of mintime: no hardware, no allocation, no panic, tested on the host.
+//!
+//! Sensor samples and requests go in once a tick, throttles and messages come out: [`flight`]. The board binary of
+//! this package adds clocks, pins and interrupts around it.
+//!
+//! ```text
+//! serial bytes ─→ link ─→ inbox ─┐                                 ┌─→ outbox ─→ link ─→ serial bytes
+//!                                ├─→ requests ─→ supervisor        │
+//! gyro sample ──→ gyro ──────────┤        (states, transitions) ───┤
+//! battery, kill switch ──────────┘                │                └─→ recorder
+//!                                       player / host setpoint
+//!                                                 ↓
+//!                                rate control ─→ mixer ─→ rotor drive ─→ throttles
+//! ```
+#![no_std]
+#![cfg_attr(
+    not(test),
+    deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)
+)]
+
+pub mod config;
+pub mod flight;
+pub mod gyro;
+pub mod link;
+pub mod mixer;
+pub mod player;
+pub mod rate_control;
+pub mod recorder;
+mod requests;
+pub mod supervisor;
+pub mod vehicle;

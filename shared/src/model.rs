@@ -116,7 +116,10 @@ impl<T: Real> Limits<T> {
 
     /// The two dimensionless thrust limits U_T of eq. (5): thrust over gravity.
     pub fn dimensionless(&self) -> ThrustRange<T> {
-        ThrustRange { min: self.thrust_min_mps2 / self.gravity_mps2, max: self.thrust_max_mps2 / self.gravity_mps2 }
+        ThrustRange {
+            min: self.thrust_min_mps2 / self.gravity_mps2,
+            max: self.thrust_max_mps2 / self.gravity_mps2,
+        }
     }
 
     /// The transformation of eq. (3) that belongs to these limits.

@@ -1,0 +1,30 @@
+//! What the clock set-up leaves out: flash caches, the clock monitor, and a watchdog that pauses under a debugger.
+
+use embassy_stm32::pac;
+
+/// First chip revision whose flash prefetch works: revision Z. Revision A (0x1000) must leave it off (erratum in
+/// ES0182).
+const FIRST_REVISION_WITH_PREFETCH: u16 = 0x1001;
+
+/// Switches on the instruction and data caches and, where the chip can, the prefetch buffer.
+///
+/// At 168 MHz flash takes five wait states (RM0090 section 3.5.1); without these every jump pays them. Whoever erases
+/// flash must reset the data cache afterwards.
+pub(super) fn enable_flash_caches() {
+    let revision = pac::DBGMCU.idcode().read().rev_id();
+    pac::FLASH.acr().modify(|w| {
+        w.set_icen(true);
+        w.set_dcen(true);
+        w.set_prften(revision >= FIRST_REVISION_WITH_PREFETCH);
+    });
+}
+
+/// Raises a non-maskable interrupt when the crystal stops (RM0090 section 7.2.7); the handler is in `fault`.
+pub(super) fn enable_clock_monitor() {
+    pac::RCC.cr().modify(|w| w.set_csson(true));
+}
+
+/// Stops the watchdog while a debug probe holds the core.
+pub(super) fn pause_watchdog_in_debug() {
+    pac::DBGMCU.apb1fzr().modify(|w| w.set_iwdg(true));
+}

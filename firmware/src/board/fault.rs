@@ -1,0 +1,285 @@
+//! Panics, faults and resets: motors off first, the reason kept in RAM across the reset, then a reset.
+//!
+//! A reset is the one state every part of the board agrees on: pins float, speed controllers disarm. Nothing is logged
+//! from inside a handler, because the logger itself may be what failed; the next start reports the reason.
+#![allow(unsafe_code)]
+
+use core::cell::UnsafeCell;
+use core::mem::MaybeUninit;
+use core::panic::PanicInfo;
+use core::ptr;
+
+use cortex_m::peripheral::SCB;
+use cortex_m_rt::exception;
+use embassy_stm32::pac;
+
+use super::motors;
+
+/// Marks a crash record as written by this firmware ("MTCR").
+const MAGIC: u32 = 0x4D54_4352;
+/// Bytes kept of the name of the file that panicked.
+const FILE_BYTES: usize = 32;
+
+/// What ended the last run.
+#[derive(Clone, Copy, PartialEq, Eq, defmt::Format)]
+#[repr(u32)]
+pub(super) enum Kind {
+    /// A panic in Rust code.
+    Panic = 1,
+    /// The processor met an access or instruction it cannot do; a stack overflow ends here.
+    HardFault = 2,
+    /// The crystal stopped.
+    ClockLost = 3,
+    /// An interrupt nobody handles.
+    UnexpectedInterrupt = 4,
+    /// A peripheral refused its set-up.
+    SetUp = 5,
+}
+
+impl Kind {
+    fn from_word(word: u32) -> Option<Self> {
+        [Self::Panic, Self::HardFault, Self::ClockLost, Self::UnexpectedInterrupt, Self::SetUp]
+            .into_iter()
+            .find(|kind| *kind as u32 == word)
+    }
+}
+
+/// The record in RAM that no start-up code clears. Words only, so that any bit pattern is a valid value.
+#[derive(Clone, Copy)]
+#[repr(C)]
+struct Record {
+    magic: u32,
+    kind: u32,
+    /// Address of the instruction that faulted, or the interrupt's number.
+    pc: u32,
+    lr: u32,
+    /// Fault status registers (ARMv7-M architecture, B3.2.15 and B3.2.16).
+    cfsr: u32,
+    hfsr: u32,
+    address: u32,
+    /// Where the panic was raised.
+    line: u32,
+    file: [u8; FILE_BYTES],
+    /// Crashes since power came on.
+    count: u32,
+    check: u32,
+}
+
+impl Record {
+    const fn new(kind: Kind) -> Self {
+        Self {
+            magic: MAGIC,
+            kind: kind as u32,
+            pc: 0,
+            lr: 0,
+            cfsr: 0,
+            hfsr: 0,
+            address: 0,
+            line: 0,
+            file: [0; FILE_BYTES],
+            count: 0,
+            check: 0,
+        }
+    }
+
+    /// FNV-1a over everything but the check itself: RAM after power-on is noise and must not pass for a crash.
+    fn checksum(&self) -> u32 {
+        let words = [
+            self.magic,
+            self.kind,
+            self.pc,
+            self.lr,
+            self.cfsr,
+            self.hfsr,
+            self.address,
+            self.line,
+            self.count,
+        ];
+        let bytes = words.iter().flat_map(|word| word.to_le_bytes()).chain(self.file);
+        bytes.fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+}
+
+/// A crash of an earlier run, as reported at start-up.
+#[derive(Clone, Copy, defmt::Format)]
+pub(super) struct Crash {
+    pub(super) kind: Kind,
+    pub(super) pc: u32,
+    pub(super) lr: u32,
+    pub(super) cfsr: u32,
+    pub(super) hfsr: u32,
+    pub(super) address: u32,
+    pub(super) line: u32,
+    /// End of the file's name, padded with zeros.
+    pub(super) file: [u8; FILE_BYTES],
+    /// Crashes since power came on, this one included.
+    pub(super) count: u32,
+}
+
+struct Kept(UnsafeCell<MaybeUninit<Record>>);
+// SAFETY: written only with interrupts off on the way to a reset, read only by start-up before anything else runs.
+unsafe impl Sync for Kept {}
+
+#[unsafe(link_section = ".uninit.crash")]
+static KEPT: Kept = Kept(UnsafeCell::new(MaybeUninit::uninit()));
+
+fn read_kept() -> Option<Record> {
+    // SAFETY: every field is an integer, so whatever the RAM holds is a valid record; volatile, because the compiler
+    // must not reason about memory that was never written by this run.
+    let record = unsafe { ptr::read_volatile(KEPT.0.get().cast::<Record>()) };
+    (record.magic == MAGIC && record.check == record.checksum()).then_some(record)
+}
+
+fn write_kept(record: Record) {
+    // SAFETY: see `Kept`; the pointer is that of a static of this type.
+    unsafe { ptr::write_volatile(KEPT.0.get().cast::<Record>(), record) }
+}
+
+/// Motors low, reason kept, reset. `fill` adds what the caller knows.
+fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
+    cortex_m::interrupt::disable();
+    motors::force_low();
+    let mut record = Record::new(kind);
+    record.count = read_kept().map_or(0, |earlier| earlier.count).saturating_add(1);
+    fill(&mut record);
+    record.check = record.checksum();
+    write_kept(record);
+    SCB::sys_reset()
+}
+
+/// Ends the run because a peripheral refused its set-up; `step` tells which.
+pub(super) fn set_up_failed(step: u32) -> ! {
+    stop_with(Kind::SetUp, |record| record.line = step)
+}
+
+/// Takes the crash of the run before, once. Its count stays, so that repeated crashes are seen.
+pub(super) fn take() -> Option<Crash> {
+    let mut record = read_kept()?;
+    let kind = Kind::from_word(record.kind)?;
+    let crash = Crash {
+        kind,
+        pc: record.pc,
+        lr: record.lr,
+        cfsr: record.cfsr,
+        hfsr: record.hfsr,
+        address: record.address,
+        line: record.line,
+        file: record.file,
+        count: record.count,
+    };
+    record.kind = 0;
+    record.check = record.checksum();
+    write_kept(record);
+    Some(crash)
+}
+
+/// Why the chip was reset, as the clock controller tells it (RM0090 section 7.3.21).
+#[derive(Clone, Copy, PartialEq, Eq, defmt::Format)]
+pub(super) enum ResetCause {
+    PowerOn,
+    BrownOut,
+    /// The reset pin only.
+    Pin,
+    Software,
+    Watchdog,
+    WindowWatchdog,
+    LowPower,
+    Unknown,
+}
+
+/// Reads the cause of the last reset and clears it for the next. Most specific first: every reset also pulls the pin.
+pub(super) fn take_reset_cause() -> ResetCause {
+    let csr = pac::RCC.csr().read();
+    pac::RCC.csr().modify(|w| w.set_rmvf(true));
+    if csr.porrstf() {
+        ResetCause::PowerOn
+    } else if csr.borrstf() {
+        ResetCause::BrownOut
+    } else if csr.wdgrstf() {
+        ResetCause::Watchdog
+    } else if csr.wwdgrstf() {
+        ResetCause::WindowWatchdog
+    } else if csr.lpwrrstf() {
+        ResetCause::LowPower
+    } else if csr.sftrstf() {
+        ResetCause::Software
+    } else if csr.padrstf() {
+        ResetCause::Pin
+    } else {
+        ResetCause::Unknown
+    }
+}
+
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    stop_with(Kind::Panic, |record| {
+        if let Some(location) = info.location() {
+            record.line = location.line();
+            // The end of the path tells more than its beginning.
+            let name = location.file().as_bytes();
+            let tail = name.get(name.len().saturating_sub(FILE_BYTES)..).unwrap_or(name);
+            for (kept, byte) in record.file.iter_mut().zip(tail) {
+                *kept = *byte;
+            }
+        }
+    })
+}
+
+/// Entry of the hard fault.
+///
+/// A stack overflow arrives here with a stack pointer below RAM, where the first push of any compiled function would
+/// lock the processor up. So the stack pointer is reset before any Rust code runs; the old one is handed on.
+#[unsafe(naked)]
+#[unsafe(no_mangle)]
+#[unsafe(link_section = ".HardFault.entry")]
+#[allow(non_snake_case)]
+unsafe extern "C" fn HardFault() -> ! {
+    core::arch::naked_asm!(
+        "mrs r0, msp",
+        "ldr r1, =_stack_start",
+        "msr msp, r1",
+        "ldr r2, ={stopped}",
+        "bx r2",
+        ".ltorg",
+        stopped = sym hard_fault,
+    )
+}
+
+unsafe extern "C" {
+    static _stack_start: u32;
+    static _stack_end: u32;
+}
+
+/// Second half of the hard fault, on a fresh stack. `frame` is where the processor stacked its registers.
+extern "C" fn hard_fault(frame: u32) -> ! {
+    // SAFETY: a peripheral that every Cortex-M has; nothing else runs any more.
+    let scb = unsafe { &*SCB::PTR };
+    stop_with(Kind::HardFault, |record| {
+        record.cfsr = scb.cfsr.read();
+        record.hfsr = scb.hfsr.read();
+        record.address = scb.bfar.read();
+        // The stacked registers are r0..r3, r12, lr, pc, xpsr; they are there unless the stack itself overflowed.
+        let lowest = &raw const _stack_end as u32;
+        let highest = &raw const _stack_start as u32;
+        if frame >= lowest && frame.saturating_add(32) <= highest {
+            let word = |offset: u32| {
+                // SAFETY: inside the stack, as just checked, and aligned: the processor aligns its frames.
+                unsafe { ptr::read_volatile((frame + offset) as *const u32) }
+            };
+            record.lr = word(20);
+            record.pc = word(24);
+        }
+    })
+}
+
+/// The clock monitor's interrupt: the crystal stopped and the chip runs on its internal oscillator.
+#[exception]
+unsafe fn NonMaskableInt() -> ! {
+    stop_with(Kind::ClockLost, |_| {})
+}
+
+/// Any interrupt that nobody handles; keeps its number.
+#[exception]
+unsafe fn DefaultHandler(number: i16) -> ! {
+    stop_with(Kind::UnexpectedInterrupt, |record| record.pc = u32::from(number.unsigned_abs()))
+}

@@ -1,0 +1,57 @@
+//! The STM32F405 board: start-up order and the tasks.
+
+mod battery;
+mod control;
+mod core_setup;
+mod facts;
+mod fault;
+mod link;
+mod motors;
+mod stack;
+mod supervision;
+mod vehicle;
+mod watchdog;
+
+use defmt_rtt as _;
+use embassy_executor::Executor;
+use static_cell::StaticCell;
+
+static EXECUTOR: StaticCell<Executor> = StaticCell::new();
+
+/// Start-up, in the order that leaves no moment unguarded: motors low, watchdog, clocks, then everything else.
+#[cortex_m_rt::entry]
+fn start() -> ! {
+    motors::force_low();
+    watchdog::start();
+    let cause = fault::take_reset_cause();
+    let crash = fault::take();
+
+    let peripherals = embassy_stm32::init(facts::clocks());
+    core_setup::enable_flash_caches();
+    core_setup::enable_clock_monitor();
+    core_setup::pause_watchdog_in_debug();
+    facts::set_priorities();
+
+    defmt::info!("mintime firmware {=str}, reset by {}", env!("CARGO_PKG_VERSION"), cause);
+    if let Some(crash) = crash {
+        defmt::error!("the last run crashed: {}", crash);
+    }
+
+    let parts = facts::Parts::new(peripherals);
+    let battery = battery::Battery::new(parts.battery);
+    let led = supervision::led(parts.led);
+    let Ok(link) = link::open(parts.link) else { fault::set_up_failed(line!()) };
+
+    control::start();
+    let crashed = crash.is_some();
+    EXECUTOR.init(Executor::new()).run(|spawner| {
+        let (Ok(receive), Ok(transmit), Ok(supervise)) =
+            (link::receive(link.rx), link::transmit(link.tx), supervision::run(battery, led, crashed))
+        else {
+            fault::set_up_failed(line!())
+        };
+        spawner.spawn(receive);
+        spawner.spawn(transmit);
+        spawner.spawn(supervise);
+    })
+}

@@ -1,0 +1,344 @@
+//! The flight logic: one function of (time, IMU sample or none, battery, kill switch, inbox) to (motors, outbox).
+//!
+//! There is no clock, no hardware and no other state in it, so that host tests, a virtual board and the real board run
+//! the same code on the same inputs and get the same outputs, bit for bit.
+//!
+//! Deadline: one call every gyro sample, 1.25 ms. Work is bounded: at most [`INBOX`] requests, one
+//! transition, one replay tick over at most 24 segments; the dearest request, the commit of a table, integrates those
+//! segments once and is accepted with the motors off only. Late calls are seen by the clock and reported; past a bound
+//! they end a maneuver. Motors off is the answer to every unknown.
+
+use heapless::Deque;
+use mintime_shared::messages::{
+    ArmingBlock, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
+};
+use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
+
+use crate::config::{
+    ARMED_IDLE_US, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_PERIODS, LIFT_THRUST_MPS2,
+    LINK_DEAD_US, LINK_LOST_THRUST, MOTOR_COUNT, OUTBOX, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS,
+    SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
+};
+use crate::gyro::{Gyro, ImuSample};
+use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
+use crate::player::Player;
+use crate::rate_control::RateController;
+use crate::recorder::{RecordMemory, Recorder};
+use crate::requests::Tables;
+use crate::supervisor::{Conditions, Supervisor};
+use mintime_shared::model::GRAVITY_MPS2;
+
+/// Requests that arrived since the last tick.
+pub type Inbox = Deque<Uplink, INBOX>;
+/// Messages on their way to the host.
+pub type Outbox = Deque<Message, OUTBOX>;
+
+/// All that the flight logic gets to know in one tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TickInput {
+    /// The vehicle's clock, µs since power-up. Never runs backwards.
+    pub now_us: u64,
+    /// The sample that started this tick; `None` where it failed or stayed away.
+    pub imu: Option<ImuSample>,
+    /// Battery voltage, V; `None` where unknown.
+    pub battery_v: Option<f32>,
+    /// Whether the kill switch is on.
+    pub kill: bool,
+}
+
+/// What the motors shall do until the next tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TickOutput {
+    /// Throttles of motors 1..4, 0..1; `None` switches them off.
+    pub throttle: Option<[f32; MOTOR_COUNT]>,
+    /// The body rates and thrust that the throttles are meant to bring about.
+    pub setpoint: Setpoint,
+}
+
+/// The whole on-board logic between sensors and motors.
+#[derive(Debug)]
+pub struct FlightLogic<M> {
+    pub(crate) config: VehicleConfig,
+    pub(crate) capabilities: Capabilities,
+    pub(crate) supervisor: Supervisor,
+    pub(crate) tables: Tables,
+    pub(crate) recorder: Recorder<M>,
+    pub(crate) link_errors: u32,
+    gyro: Gyro,
+    player: Player,
+    rate: RateController,
+    drive: RotorDrive,
+    period: TickPeriod,
+    last_us: Option<u64>,
+    interval_us: u64,
+    state_since_us: u64,
+    /// The newest setpoint and when it came.
+    pub(crate) host_setpoint: Option<(Setpoint, u64)>,
+    /// What was commanded over the tick that just ended.
+    commanded: Setpoint,
+    runaway_ticks: u32,
+    next_telemetry_us: u64,
+    ticks: u32,
+    late_ticks: u32,
+    worst_interval_us: u32,
+    pub(crate) battery_v: Option<f32>,
+    kill: bool,
+}
+
+impl<M: RecordMemory> FlightLogic<M> {
+    /// A vehicle that was just switched on. `record` is the memory for flight records.
+    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
+        Self {
+            config,
+            capabilities,
+            supervisor: Supervisor::new(),
+            tables: Tables::new(),
+            recorder: Recorder::new(record),
+            link_errors: 0,
+            gyro: Gyro::new(),
+            player: Player::new(),
+            rate: RateController::new(),
+            drive: RotorDrive::new(),
+            period: TickPeriod::new(),
+            last_us: None,
+            interval_us: TICK_PERIOD_US as u64,
+            state_since_us: 0,
+            host_setpoint: None,
+            commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
+            runaway_ticks: 0,
+            next_telemetry_us: 0,
+            ticks: 0,
+            late_ticks: 0,
+            worst_interval_us: 0,
+            battery_v: None,
+            kill: false,
+        }
+    }
+
+    /// What the supervisor is doing.
+    pub fn state(&self) -> FlightState {
+        self.supervisor.state()
+    }
+
+    /// Says how many received frames were not messages, for telemetry.
+    pub fn set_link_errors(&mut self, count: u32) {
+        self.link_errors = count;
+    }
+
+    /// One tick.
+    pub fn tick(&mut self, input: &TickInput, inbox: &mut Inbox, outbox: &mut Outbox) -> TickOutput {
+        let late = self.advance_clock(input.now_us);
+        self.battery_v = input.battery_v.filter(|v| v.is_finite() && *v > 0.0);
+        self.kill = input.kill;
+        let motors_off = !self.state().motors_on();
+        self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
+
+        let mut conditions = self.watch(input.now_us, late);
+        let answers = self.take_requests(inbox, input.now_us, &mut conditions, outbox);
+        // A setpoint taken just now counts.
+        conditions |= self.setpoint_conditions(input.now_us);
+        if let Some(old) = self.supervisor.step(conditions) {
+            self.enter(old, input.now_us);
+        }
+        self.answer(answers, outbox);
+
+        let setpoint = self.choose_setpoint(input.now_us);
+        let output = self.control(setpoint);
+        self.record(input.now_us, &output);
+        self.telemeter(input.now_us, outbox);
+        output
+    }
+
+    /// Returns whether this tick is late.
+    fn advance_clock(&mut self, now_us: u64) -> bool {
+        self.ticks = self.ticks.wrapping_add(1);
+        let Some(last) = self.last_us.replace(now_us) else {
+            return false;
+        };
+        self.interval_us = now_us.saturating_sub(last);
+        self.period.observe(self.interval_us);
+        let worst = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
+        self.worst_interval_us = self.worst_interval_us.max(worst);
+        let late = self.interval_us as f32 > LATE_PERIODS * TICK_PERIOD_US as f32;
+        self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
+        late
+    }
+
+    /// Conditions that follow from sensors and time.
+    fn watch(&mut self, now_us: u64, late: bool) -> Conditions {
+        let mut found = Conditions::empty();
+        let state = self.state();
+        let maneuver = state == FlightState::Maneuver;
+        let over = maneuver && self.player.observe(now_us, late);
+        let error = self.rate_error_radps();
+        let runaway = state != FlightState::Armed && state.motors_on() && error > RUNAWAY_ERROR_RADPS;
+        self.runaway_ticks = if runaway { self.runaway_ticks.saturating_add(1) } else { 0 };
+        let in_state_us = now_us.saturating_sub(self.state_since_us);
+        found.set(Conditions::KILL, self.kill);
+        found.set(Conditions::GYRO_MISSING, self.gyro.is_missing());
+        found.set(Conditions::GYRO_FROZEN, self.gyro.is_frozen());
+        found.set(Conditions::GYRO_SATURATED, self.gyro.is_saturated());
+        found.set(Conditions::RUNAWAY, self.runaway_ticks >= RUNAWAY_TICKS);
+        found.set(Conditions::OVER, over);
+        let blind = self.interval_us >= LATE_ABORT_US;
+        found.set(Conditions::LATE_TICKS, maneuver && (blind || self.player.is_too_late()));
+        found.set(Conditions::OFF_PLAN, maneuver && self.player.is_off_plan(self.rate.angle_error_rad()));
+        found.set(Conditions::IDLE_TOO_LONG, state == FlightState::Armed && in_state_us >= ARMED_IDLE_US);
+        found
+    }
+
+    /// Conditions that follow from the newest setpoint.
+    fn setpoint_conditions(&self, now_us: u64) -> Conditions {
+        let mut found = Conditions::empty();
+        let since = |at: u64| now_us.saturating_sub(at);
+        let age_us = self.host_setpoint.map(|(_, at)| since(at));
+        found.set(Conditions::FRESH, self.setpoint_is_fresh(now_us));
+        // Counted from when the link was lost too: after a long maneuver the host gets its time to come back.
+        let alone_us = age_us.unwrap_or(u64::MAX).min(since(self.state_since_us));
+        found.set(Conditions::LINK_DEAD, alone_us >= LINK_DEAD_US);
+        let lifts = self.host_setpoint.is_some_and(|(s, _)| s.thrust_mps2 >= LIFT_THRUST_MPS2);
+        found.set(Conditions::LIFTS, lifts);
+        found
+    }
+
+    pub(crate) fn setpoint_is_fresh(&self, now_us: u64) -> bool {
+        self.host_setpoint.is_some_and(|(_, at)| now_us.saturating_sub(at) <= SETPOINT_FRESH_US)
+    }
+
+    fn rate_error_radps(&self) -> f32 {
+        let pairs = self.commanded.rates_radps.into_iter().zip(self.gyro.rates_radps());
+        pairs.fold(0.0, |worst: f32, (asked, done)| worst.max((asked - done).abs()))
+    }
+
+    /// What blocks arming now.
+    pub(crate) fn arming_block(&self) -> ArmingBlock {
+        use ArmingBlock as B;
+        let low = self.battery_v.is_some_and(|v| v < self.config.battery_low_v);
+        B::none()
+            .when(B::NO_GYRO, !self.capabilities.gyro)
+            .when(B::NO_MOTORS, !self.capabilities.motors)
+            .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
+            .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
+            .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
+            .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
+            .when(B::BATTERY_LOW, low)
+            .when(B::KILL_SWITCH, self.kill)
+            .when(B::LATE_TICKS, self.interval_us >= LATE_ABORT_US)
+            .when(B::STOPPED, self.state() == FlightState::Stopped)
+    }
+
+    /// What a change of state brings with it.
+    fn enter(&mut self, old: FlightState, now_us: u64) {
+        self.state_since_us = now_us;
+        let new = self.state();
+        if old == FlightState::Maneuver {
+            self.player.stop();
+            // The plan's accumulated error is no business of the host's setpoints.
+            self.rate.reset(self.gyro.rates_radps());
+        }
+        match new {
+            FlightState::Armed => {
+                self.rate.reset(self.gyro.rates_radps());
+                self.runaway_ticks = 0;
+                self.worst_interval_us = 0;
+                // Setpoints from before arming do not lift.
+                self.host_setpoint = None;
+            }
+            FlightState::Maneuver => {
+                self.rate.reset(self.gyro.rates_radps());
+                self.runaway_ticks = 0;
+                self.recorder.clear();
+                if let Some(plan) = self.tables.plan() {
+                    self.player.start(plan, now_us);
+                }
+            }
+            FlightState::Disarmed | FlightState::Stopped => {
+                self.host_setpoint = None;
+                self.runaway_ticks = 0;
+            }
+            FlightState::Flying | FlightState::LinkLost => {}
+        }
+    }
+
+    /// What to fly until the next tick; `None` for motors that only idle or stand still.
+    fn choose_setpoint(&mut self, now_us: u64) -> Option<Setpoint> {
+        let sink = Setpoint { rates_radps: [0.0; 3], thrust_mps2: LINK_LOST_THRUST * GRAVITY_MPS2 as f32 };
+        match self.state() {
+            FlightState::Disarmed | FlightState::Stopped | FlightState::Armed => None,
+            FlightState::Flying => Some(self.host_setpoint.map_or(sink, |(setpoint, _)| setpoint)),
+            FlightState::Maneuver => {
+                let command = self.player.command(now_us, &self.period);
+                Some(command.map_or(sink, |c| Setpoint {
+                    rates_radps: [0.0, c.rate_radps, 0.0],
+                    thrust_mps2: c.thrust_mps2,
+                }))
+            }
+            FlightState::LinkLost => Some(sink),
+        }
+    }
+
+    /// Rate control, mixing, and what the motors get.
+    fn control(&mut self, setpoint: Option<Setpoint>) -> TickOutput {
+        let dt_s = (self.interval_us as f32 * 1.0e-6).min(CONTROL_STEP_MAX_S);
+        let Some(setpoint) = setpoint else {
+            self.commanded = Setpoint::default();
+            self.rate.reset(self.gyro.rates_radps());
+            let off = self.drive.rest(&self.config, dt_s);
+            // Idle is zero demand: the mixer's floor keeps the rotors turning.
+            let idle = (self.state() == FlightState::Armed)
+                .then(|| self.drive.throttles(&self.config, off, self.battery_v, 0.0));
+            return TickOutput { throttle: idle, setpoint: self.commanded };
+        };
+        let acceleration =
+            self.rate.update(self.commanded.rates_radps, setpoint.rates_radps, self.gyro.rates_radps(), dt_s);
+        let demand = Demand { thrust_mps2: setpoint.thrust_mps2, acceleration_radps2: acceleration };
+        let thrusts = rotor_thrusts(&self.config, &demand);
+        let throttle = self.drive.throttles(&self.config, thrusts, self.battery_v, dt_s);
+        self.commanded = setpoint;
+        TickOutput { throttle: Some(throttle), setpoint }
+    }
+
+    fn record(&mut self, now_us: u64, output: &TickOutput) {
+        if self.state() != FlightState::Maneuver {
+            return;
+        }
+        let tick = RecordedTick {
+            interval_us: 0,
+            gyro_radps: self.gyro.fresh_rates_radps(),
+            rate_radps: output.setpoint.rates_radps[1],
+            thrust_mps2: output.setpoint.thrust_mps2,
+            throttle: output.throttle.unwrap_or_default(),
+        };
+        self.recorder.push(now_us, tick);
+    }
+
+    fn telemeter(&mut self, now_us: u64, outbox: &mut Outbox) {
+        if now_us < self.next_telemetry_us {
+            return;
+        }
+        self.next_telemetry_us = now_us.saturating_add(TELEMETRY_US);
+        // A full outbox means a slow link: the next one will do.
+        let _ = outbox.push_back(Message::Telemetry(self.telemetry()));
+    }
+
+    /// How the vehicle is.
+    pub(crate) fn telemetry(&self) -> Telemetry {
+        Telemetry {
+            time_us: self.last_us.unwrap_or(0),
+            state: self.state(),
+            arming_block: self.arming_block().0,
+            abort: self.supervisor.abort(),
+            table: self.tables.committed_checksum(),
+            maneuver_s: self.player.elapsed_s(),
+            maneuver_complete: self.player.is_complete(),
+            battery_v: self.battery_v.unwrap_or(0.0),
+            rates_radps: self.gyro.rates_radps(),
+            ticks: self.ticks,
+            late_ticks: self.late_ticks,
+            missing_samples: self.gyro.missing_total(),
+            worst_interval_us: self.worst_interval_us,
+            link_errors: self.link_errors,
+            recorded: self.recorder.len(),
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What is believed of the gyro: its bias, learned while the vehicle stands still, and its health.
+
+use crate::config::{
+    BIAS_MAX_RADPS, CALIBRATION_TICKS, GYRO_FROZEN_DEMAND_RADPS, GYRO_FROZEN_TICKS, GYRO_MISSING_TICKS,
+    GYRO_SATURATED_TICKS, GYRO_SATURATION_RADPS, STILL_SPREAD_RADPS,
+};
+
+/// One reading of the inertial sensor, body axes forward-left-up.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ImuSample {
+    /// Angular rate, rad/s.
+    pub gyro_radps: [f32; 3],
+    /// Specific force, m/s².
+    pub accel_mps2: [f32; 3],
+}
+
+/// Running estimate of the bias over windows of stillness.
+#[derive(Clone, Copy, Debug)]
+struct Calibration {
+    count: u32,
+    sum: [f32; 3],
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+impl Calibration {
+    const EMPTY: Self =
+        Self { count: 0, sum: [0.0; 3], low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+
+    /// Takes a sample. At the end of a window: the mean if the vehicle stood still, `Err` if it moved.
+    fn take(&mut self, rates: [f32; 3]) -> Option<Result<[f32; 3], ()>> {
+        for (((sum, low), high), rate) in
+            self.sum.iter_mut().zip(&mut self.low).zip(&mut self.high).zip(rates)
+        {
+            *sum += rate;
+            *low = low.min(rate);
+            *high = high.max(rate);
+        }
+        self.count += 1;
+        if self.count < CALIBRATION_TICKS {
+            return None;
+        }
+        let mean = self.sum.map(|s| s / CALIBRATION_TICKS as f32);
+        let still = self.low.iter().zip(self.high).all(|(low, high)| high - low <= STILL_SPREAD_RADPS);
+        let credible = mean.iter().all(|m| m.abs() <= BIAS_MAX_RADPS);
+        *self = Self::EMPTY;
+        Some(if still && credible { Ok(mean) } else { Err(()) })
+    }
+}
+
+/// The gyro's state as the supervisor sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Gyro {
+    bias_radps: Option<[f32; 3]>,
+    moving: bool,
+    calibration: Calibration,
+    rates_radps: [f32; 3],
+    last_raw: Option<[f32; 3]>,
+    missing_ticks: u32,
+    repeated_ticks: u32,
+    saturated_ticks: u32,
+    missing_total: u32,
+}
+
+impl Gyro {
+    /// Nothing known yet.
+    pub const fn new() -> Self {
+        Self {
+            bias_radps: None,
+            moving: true,
+            calibration: Calibration::EMPTY,
+            rates_radps: [0.0; 3],
+            last_raw: None,
+            missing_ticks: 0,
+            repeated_ticks: 0,
+            saturated_ticks: 0,
+            missing_total: 0,
+        }
+    }
+
+    /// Takes one tick's sample, or its absence. `setpoint` is the rate asked for over the past tick; `calibrate` is
+    /// set while the motors are off. A sample with a NaN or infinity counts as missing.
+    pub fn update(&mut self, sample: Option<&ImuSample>, setpoint: [f32; 3], calibrate: bool) {
+        let Some(raw) = sample.map(|s| s.gyro_radps).filter(|g| g.iter().all(|r| r.is_finite())) else {
+            self.missing_ticks = self.missing_ticks.saturating_add(1);
+            self.missing_total = self.missing_total.saturating_add(1);
+            return;
+        };
+        self.missing_ticks = 0;
+        let demanded =
+            setpoint.iter().zip(self.rates_radps).any(|(s, r)| (s - r).abs() > GYRO_FROZEN_DEMAND_RADPS);
+        let repeated = self.last_raw == Some(raw);
+        self.repeated_ticks = if repeated && demanded { self.repeated_ticks.saturating_add(1) } else { 0 };
+        self.last_raw = Some(raw);
+        let saturated = raw.iter().any(|r| r.abs() >= GYRO_SATURATION_RADPS);
+        self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
+        if calibrate {
+            match self.calibration.take(raw) {
+                Some(Ok(bias)) => {
+                    self.bias_radps = Some(bias);
+                    self.moving = false;
+                }
+                Some(Err(())) => self.moving = true,
+                None => {}
+            }
+        } else {
+            self.calibration = Calibration::EMPTY;
+        }
+        let bias = self.bias_radps.unwrap_or_default();
+        for ((rate, raw), bias) in self.rates_radps.iter_mut().zip(raw).zip(bias) {
+            *rate = raw - bias;
+        }
+    }
+
+    /// Body rates with the bias removed, rad/s; the last ones where samples are missing.
+    pub fn rates_radps(&self) -> [f32; 3] {
+        self.rates_radps
+    }
+
+    /// The same, or `None` where this tick had no sample.
+    pub fn fresh_rates_radps(&self) -> Option<[f32; 3]> {
+        (self.missing_ticks == 0 && self.last_raw.is_some()).then_some(self.rates_radps)
+    }
+
+    /// Whether the bias is known.
+    pub fn is_calibrated(&self) -> bool {
+        self.bias_radps.is_some()
+    }
+
+    /// Whether the vehicle moved during the last window.
+    pub fn is_moving(&self) -> bool {
+        self.moving
+    }
+
+    /// Whether samples stayed away for too long.
+    pub fn is_missing(&self) -> bool {
+        self.missing_ticks >= GYRO_MISSING_TICKS || self.last_raw.is_none()
+    }
+
+    /// Whether the same sample keeps coming while another rate is asked for.
+    pub fn is_frozen(&self) -> bool {
+        self.repeated_ticks >= GYRO_FROZEN_TICKS
+    }
+
+    /// Whether the rates are beyond what can be measured.
+    pub fn is_saturated(&self) -> bool {
+        self.saturated_ticks >= GYRO_SATURATED_TICKS
+    }
+
+    /// Ticks without a sample since power-up.
+    pub fn missing_total(&self) -> u32 {
+        self.missing_total
+    }
+}
+
+impl Default for Gyro {
+    fn default() -> Self {
+        Self::new()
+    }
+}

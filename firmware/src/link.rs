@@ -1,0 +1,76 @@
+//! The serial link: bytes to requests, messages to bytes.
+//!
+//! Every length is bounded. Bytes that are not messages are counted and dropped; requests that arrive faster than the
+//! flight logic takes them are dropped too, counted, and asked again by the host.
+
+use mintime_shared::framing::{Decoder, Frame, encode};
+use mintime_shared::messages::{Downlink, PROTOCOL_VERSION, Request, Uplink};
+
+use crate::flight::{Inbox, Outbox};
+
+/// Both directions of one link.
+#[derive(Debug, Default)]
+pub struct Link {
+    decoder: Decoder,
+    sending: Option<(Frame, usize)>,
+    errors: u32,
+}
+
+impl Link {
+    /// Nothing received, nothing to send.
+    pub const fn new() -> Self {
+        Self { decoder: Decoder::new(), sending: None, errors: 0 }
+    }
+
+    /// Received frames that were not messages, or found no room.
+    pub fn errors(&self) -> u32 {
+        self.errors
+    }
+
+    /// Takes received bytes, in any pieces. An emergency stop finds room whatever is waiting.
+    pub fn receive(&mut self, bytes: &[u8], inbox: &mut Inbox) {
+        for &byte in bytes {
+            let lost = match self.decoder.push::<Uplink>(byte) {
+                None => false,
+                Some(Err(_)) => true,
+                Some(Ok(uplink)) => {
+                    let urgent = matches!(uplink.request, Request::EmergencyStop | Request::Disarm);
+                    let displaced = urgent && inbox.is_full() && inbox.pop_back().is_some();
+                    inbox.push_back(uplink).is_err() || displaced
+                }
+            };
+            self.errors = self.errors.saturating_add(u32::from(lost));
+        }
+    }
+
+    /// Fills `out` with what is to be sent and returns how many bytes that is.
+    pub fn transmit(&mut self, outbox: &mut Outbox, out: &mut [u8]) -> usize {
+        let mut written = 0;
+        while let Some(room) = out.get_mut(written..).filter(|room| !room.is_empty()) {
+            if self.sending.is_none() {
+                let Some(message) = outbox.pop_front() else {
+                    break;
+                };
+                match encode(&Downlink { version: PROTOCOL_VERSION, message }) {
+                    Ok(frame) => self.sending = Some((frame, 0)),
+                    // No message of the protocol is longer than a frame.
+                    Err(_) => continue,
+                }
+            }
+            let Some((frame, sent)) = &mut self.sending else {
+                break;
+            };
+            let rest = frame.as_bytes().get(*sent..).unwrap_or_default();
+            let count = rest.len().min(room.len());
+            for (slot, byte) in room.iter_mut().zip(rest) {
+                *slot = *byte;
+            }
+            *sent += count;
+            written += count;
+            if count == rest.len() {
+                self.sending = None;
+            }
+        }
+        written
+    }
+}

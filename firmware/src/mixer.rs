@@ -1,0 +1,115 @@
+//! From collective thrust and angular acceleration to throttles.
+//!
+//! Where the rotors cannot give everything, attitude wins over thrust: roll and pitch torque first, then collective
+//! thrust as near as the remaining range allows, then yaw in what is left. A vehicle that keeps its attitude at too
+//! little thrust sinks; one that loses its attitude falls.
+
+use mintime_shared::frames::MOTORS;
+use mintime_shared::model::GRAVITY_MPS2;
+
+use crate::config::{MOTOR_COUNT, ROTOR_RESPONSE_S, VehicleConfig, YAW_RESERVE};
+
+/// What the rate controller asks of the airframe.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Demand {
+    /// Collective thrust per mass, m/s².
+    pub thrust_mps2: f32,
+    /// Angular acceleration about forward, left, up, rad/s².
+    pub acceleration_radps2: [f32; 3],
+}
+
+/// Thrust of each rotor, N, within what it can give.
+///
+/// Non-finite demands count as zero torque and hover thrust; the caller filters them, this keeps the output finite.
+pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COUNT] {
+    let (low, high) = (config.rotor_thrust_idle_n, config.rotor_thrust_max_n);
+    let range = high - low;
+    let finite = |v: f32, otherwise: f32| if v.is_finite() { v } else { otherwise };
+    let [jx, jy, jz] = config.inertia_kgm2;
+    let [ax, ay, az] = demand.acceleration_radps2.map(|a| finite(a, 0.0));
+    // A rotor at (x, y) with thrust f gives the torque (y f, −x f, ±κ f).
+    let roll = jx * ax / (4.0 * config.arm_left_m);
+    let pitch = jy * ay / (4.0 * config.arm_forward_m);
+    let yaw = jz * az / (4.0 * config.torque_per_thrust_m);
+
+    // Roll and pitch take the range less the reserve for yaw, scaled down together where they ask for more.
+    let attitude_range = range * (1.0 - YAW_RESERVE);
+    let spread = 2.0 * (roll.abs() + pitch.abs());
+    let attitude_scale = if spread > attitude_range { attitude_range / spread } else { 1.0 };
+    let (roll, pitch) = (roll * attitude_scale, pitch * attitude_scale);
+    let half_spread = roll.abs() + pitch.abs();
+
+    // Collective thrust moves to where roll and pitch fit.
+    let hover = GRAVITY_MPS2 as f32;
+    let wanted = config.mass_kg * finite(demand.thrust_mps2, hover) / 4.0;
+    let collective = wanted.max(low + half_spread).min(high - half_spread);
+
+    // Yaw takes what is left on the tighter side, and at least the reserve: collective gives way to it.
+    let room = (collective - half_spread - low).min(high - half_spread - collective).max(0.0);
+    let reserve = 0.5 * (range - 2.0 * half_spread).min(range * YAW_RESERVE);
+    let yaw_bound = room.max(reserve);
+    let yaw = yaw.max(-yaw_bound).min(yaw_bound);
+    let collective = collective.max(low + half_spread + yaw.abs()).min(high - half_spread - yaw.abs());
+
+    MOTORS.map(|place| {
+        let thrust = collective + f32::from(place.left) * roll - f32::from(place.forward) * pitch
+            + f32::from(place.yaw) * yaw;
+        thrust.max(low).min(high)
+    })
+}
+
+/// Turns rotor thrusts into throttles: the square-root thrust map, battery compensation, and rotor-lag compensation.
+///
+/// A rotor follows its throttle with a lag of some 30 ms, longer than many a bang. A model of the rotor's speed runs
+/// along; the throttle overshoots so that the model reaches the wanted speed within [`ROTOR_RESPONSE_S`]. The model is
+/// first order and bounded, so a wrong time constant costs accuracy, not stability.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RotorDrive {
+    /// Modelled rotor speeds over the speed at full throttle and nominal voltage.
+    speed: [f32; MOTOR_COUNT],
+}
+
+impl RotorDrive {
+    /// Rotors at rest.
+    pub const fn new() -> Self {
+        Self { speed: [0.0; MOTOR_COUNT] }
+    }
+
+    /// Motors off: the model spins down with them.
+    pub fn rest(&mut self, config: &VehicleConfig, dt_s: f32) -> [f32; MOTOR_COUNT] {
+        self.follow(config, [0.0; MOTOR_COUNT], dt_s);
+        [0.0; MOTOR_COUNT]
+    }
+
+    /// Throttles, 0..1, for the given thrusts, N. `battery_v` is `None` where it is not known.
+    pub fn throttles(
+        &mut self,
+        config: &VehicleConfig,
+        thrusts_n: [f32; MOTOR_COUNT],
+        battery_v: Option<f32>,
+        dt_s: f32,
+    ) -> [f32; MOTOR_COUNT] {
+        let idle = libm::sqrtf(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
+        let lead = (config.rotor_lag_s / ROTOR_RESPONSE_S).max(1.0);
+        let mut command = [0.0; MOTOR_COUNT];
+        for ((slot, thrust), speed) in command.iter_mut().zip(thrusts_n).zip(self.speed) {
+            let wanted = libm::sqrtf((thrust / config.rotor_thrust_max_n).max(0.0));
+            *slot = (speed + lead * (wanted - speed)).max(idle).min(1.0);
+        }
+        // An implausible voltage (sense wire off) is not compensated for.
+        let plausible = |v: &f32| *v > 0.6 * config.battery_nominal_v && *v < 1.4 * config.battery_nominal_v;
+        let compensation =
+            config.battery_nominal_v / battery_v.filter(plausible).unwrap_or(config.battery_nominal_v);
+        let throttles = command.map(|c| (c * compensation).max(idle).min(1.0));
+        // The model follows what the rotors really get: a sagged battery cannot give full speed.
+        self.follow(config, throttles.map(|t| t / compensation), dt_s);
+        throttles
+    }
+
+    fn follow(&mut self, config: &VehicleConfig, command: [f32; MOTOR_COUNT], dt_s: f32) {
+        let blend = (dt_s / config.rotor_lag_s).clamp(0.0, 1.0);
+        for (speed, command) in self.speed.iter_mut().zip(command) {
+            *speed += blend * (command - *speed);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! The flight logic with its link: what a board owns.
+
+use mintime_shared::messages::FlightState;
+
+use crate::config::{Capabilities, VehicleConfig};
+use crate::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
+use crate::link::Link;
+use crate::recorder::RecordMemory;
+
+/// Serial bytes and sensor samples in, serial bytes and throttles out.
+#[derive(Debug)]
+pub struct Vehicle<M> {
+    link: Link,
+    inbox: Inbox,
+    outbox: Outbox,
+    logic: FlightLogic<M>,
+}
+
+impl<M: RecordMemory> Vehicle<M> {
+    /// A vehicle that was just switched on. `record` is the memory for flight records, 20 bytes a tick.
+    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
+        Self {
+            link: Link::new(),
+            inbox: Inbox::new(),
+            outbox: Outbox::new(),
+            logic: FlightLogic::new(config, capabilities, record),
+        }
+    }
+
+    /// Takes bytes from the serial line, in any pieces.
+    pub fn receive(&mut self, bytes: &[u8]) {
+        self.link.receive(bytes, &mut self.inbox);
+    }
+
+    /// One control tick. Deadline and bounds: see [`crate::flight`].
+    pub fn tick(&mut self, input: &TickInput) -> TickOutput {
+        self.logic.set_link_errors(self.link.errors());
+        self.logic.tick(input, &mut self.inbox, &mut self.outbox)
+    }
+
+    /// Fills `out` with bytes for the serial line and returns how many.
+    pub fn transmit(&mut self, out: &mut [u8]) -> usize {
+        self.link.transmit(&mut self.outbox, out)
+    }
+
+    /// What the supervisor is doing.
+    pub fn state(&self) -> FlightState {
+        self.logic.state()
+    }
+}

@@ -1,0 +1,120 @@
+//! Framing: how a message becomes bytes on a serial line and back.
+//!
+//! A frame is `COBS( postcard(message) ‖ CRC-32 little-endian ) ‖ 0x00`. COBS removes every zero from the content, so a
+//! zero always ends a frame and a receiver finds its feet again after any noise. The checksum is verified before a
+//! single field is parsed. Every length is bounded: a frame that grows past [`MAX_FRAME_BYTES`] is dropped whole.
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use crate::checksum;
+
+/// Longest frame on the wire, closing zero included: the largest message is a table upload or a record chunk of
+/// [`crate::messages::MAX_CHUNK_BYTES`], with header, checksum and COBS overhead.
+pub const MAX_FRAME_BYTES: usize = 280;
+
+/// Why received bytes are not a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FrameError {
+    /// More bytes than any frame has before a zero came.
+    #[error("frame too long: noise, or another protocol on the line")]
+    TooLong,
+    /// Too short to hold a checksum.
+    #[error("frame too short: truncated")]
+    TooShort,
+    /// The COBS code does not add up.
+    #[error("frame is not COBS: truncated, or noise")]
+    Encoding,
+    /// The checksum does not match.
+    #[error("frame checksum mismatch: bytes were changed on the way")]
+    Checksum,
+    /// The checksum holds but the content does not parse: another protocol version.
+    #[error("frame content does not parse: the other side speaks another protocol version")]
+    Content,
+}
+
+/// A frame ready to be sent.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    bytes: [u8; MAX_FRAME_BYTES],
+    length: usize,
+}
+
+impl Frame {
+    /// The bytes on the wire, closing zero included.
+    pub fn as_bytes(&self) -> &[u8] {
+        self.bytes.get(..self.length).unwrap_or_default()
+    }
+}
+
+/// Encodes one message.
+///
+/// # Errors
+/// [`FrameError::TooLong`] where the message does not fit a frame; no message of this protocol is that long.
+pub fn encode<M: Serialize>(message: &M) -> Result<Frame, FrameError> {
+    let mut content = [0; MAX_FRAME_BYTES];
+    let body = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
+    let length = checksum::append(&mut content, body).ok_or(FrameError::TooLong)?;
+    if cobs::max_encoding_length(length) + 1 > MAX_FRAME_BYTES {
+        return Err(FrameError::TooLong);
+    }
+    let mut bytes = [0; MAX_FRAME_BYTES];
+    let coded = cobs::encode(content.get(..length).unwrap_or_default(), &mut bytes);
+    // The array is zero beyond the code, so the closing zero is already there.
+    Ok(Frame { bytes, length: coded + 1 })
+}
+
+/// Cuts a stream of bytes, arriving in any pieces, into messages.
+#[derive(Clone, Debug)]
+pub struct Decoder {
+    buffer: [u8; MAX_FRAME_BYTES],
+    length: usize,
+    overflowed: bool,
+}
+
+impl Default for Decoder {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Decoder {
+    /// An empty decoder.
+    pub const fn new() -> Self {
+        Self { buffer: [0; MAX_FRAME_BYTES], length: 0, overflowed: false }
+    }
+
+    /// Takes one byte. `Some` where it ends a frame: the message, or why there is none. Empty frames (two zeros in a
+    /// row) are idle filling and say nothing.
+    pub fn push<M: DeserializeOwned>(&mut self, byte: u8) -> Option<Result<M, FrameError>> {
+        if byte != 0 {
+            match self.buffer.get_mut(self.length) {
+                Some(slot) => {
+                    *slot = byte;
+                    self.length += 1;
+                }
+                None => self.overflowed = true,
+            }
+            return None;
+        }
+        let length = core::mem::take(&mut self.length);
+        if core::mem::take(&mut self.overflowed) {
+            return Some(Err(FrameError::TooLong));
+        }
+        let coded = self.buffer.get_mut(..length)?;
+        if coded.is_empty() { None } else { Some(decode(coded)) }
+    }
+}
+
+/// Decodes one frame, without its closing zero, in place.
+fn decode<M: DeserializeOwned>(coded: &mut [u8]) -> Result<M, FrameError> {
+    let length = cobs::decode_in_place(coded).map_err(|_| FrameError::Encoding)?;
+    let content = coded.get(..length).ok_or(FrameError::Encoding)?;
+    let (body, intact) = checksum::split(content).ok_or(FrameError::TooShort)?;
+    if !intact {
+        return Err(FrameError::Checksum);
+    }
+    match postcard::take_from_bytes(body) {
+        Ok((message, [])) => Ok(message),
+        _ => Err(FrameError::Content),
+    }
+}

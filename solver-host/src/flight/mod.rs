@@ -1,0 +1,516 @@
+//! A whole flight: upload, arm, take off, hover to the gate, trigger, catch, land, download.
+//!
+//! The host flies by setpoints from motion capture before and after the maneuver; during it the vehicle is on its own
+//! with its gyro. Setpoints keep streaming all the while, so that the vehicle falls back to them at once when the
+//! maneuver ends, whether at its end or before.
+
+mod client;
+mod connection;
+mod estimator;
+mod hosted;
+mod position_control;
+
+pub use client::{Client, ClientError};
+pub use connection::{Connection, ConnectionError, Phase, Pose};
+pub use estimator::{Calmness, Estimate, Estimator};
+pub use hosted::{HostedVehicle, Trace};
+pub use position_control::{Reference, control};
+
+use connection::describe;
+use mintime_shared::messages::{
+    AbortReason, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
+    Setpoint,
+};
+use mintime_shared::replay::Plan;
+use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
+use nalgebra::Vector3;
+
+/// The gate: largest tilt at which a maneuver is triggered, rad. A tilt δθ at the start moves the end of (5, 5) by
+/// 14.8 m/rad · δθ: 5 cm are 3.4 mrad.
+pub const GATE_TILT_RAD: f64 = 2.0e-3;
+/// The gate: largest speed at which a maneuver is triggered, m/s.
+pub const GATE_SPEED_MPS: f64 = 2.0e-2;
+/// The gate must hold for this long, s.
+const GATE_HOLD_S: f64 = 0.3;
+/// The vehicle hovers at least this long before the gate is looked at, s: the climb has died away.
+const HOVER_SETTLE_S: f64 = 2.5;
+/// The gate is given up after this long, s.
+const GATE_TIMEOUT_S: f64 = 20.0;
+/// At the gate the vehicle is where it should be within this, m.
+const GATE_POSITION_M: f64 = 0.05;
+/// Speed of take-off, m/s.
+const CLIMB_MPS: f64 = 1.0;
+/// Speed of landing, m/s, ...
+const DESCENT_MPS: f64 = 1.0;
+/// ... and of its last metre, m/s.
+const TOUCH_DOWN_MPS: f64 = 0.25;
+/// Caught: within this of the end, m, ...
+const CAUGHT_POSITION_M: f64 = 0.10;
+/// ... and slower than this, m/s.
+const CAUGHT_SPEED_MPS: f64 = 0.10;
+/// A vehicle that is not caught by then is landed where it is, s.
+const CATCH_TIMEOUT_S: f64 = 10.0;
+/// Sensors settle and the gyro calibrates for this long at most, s.
+const READY_TIMEOUT_S: f64 = 10.0;
+/// After the trigger the vehicle reports a maneuver within this, s.
+const TRIGGER_TIMEOUT_S: f64 = 0.5;
+/// Height above the ground at which the motors stop, m, and the speed below which it counts as standing.
+const LANDED_HEIGHT_M: f64 = 0.02;
+/// The cameras see a standing vehicle's height within this, m: it is on the ground before take-off.
+const LAND_TIMEOUT_S: f64 = 60.0;
+
+/// What to fly and where.
+#[derive(Clone, Debug)]
+pub struct FlightPlan {
+    /// The table to upload.
+    pub table: ManeuverTable,
+    /// Where the maneuver starts, world frame, m.
+    pub start_m: Vector3<f64>,
+}
+
+impl FlightPlan {
+    /// Where the maneuver should end, world frame, m.
+    pub fn end_m(&self) -> Vector3<f64> {
+        let (start, end) = (self.table.start, self.table.end);
+        let along = f64::from(end.x - start.x);
+        let heading = f64::from(self.table.heading_rad);
+        self.start_m + Vector3::new(along * heading.cos(), along * heading.sin(), f64::from(end.z - start.z))
+    }
+}
+
+/// Why a flight did not take place or was not seen to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum FlightError {
+    /// The vehicle refused, or did not answer.
+    #[error("{during}: {source}")]
+    Client {
+        /// What was being done.
+        during: &'static str,
+        /// What came back.
+        source: ClientError,
+    },
+    /// Line or cameras failed.
+    #[error(transparent)]
+    Connection(#[from] ConnectionError),
+    /// The table does not suit the vehicle.
+    #[error("{0}")]
+    Table(#[from] TableError),
+    /// The table read back is not the one sent.
+    #[error("the table read back from the vehicle differs from the one sent: try again, check the line")]
+    ReadBack,
+    /// The vehicle is not ready to arm.
+    #[error("the vehicle does not become ready: {0}")]
+    NotReady(Refusal),
+    /// The vehicle left the expected state.
+    #[error("the vehicle is {} instead of {during}{}", describe(*.state), .reason.map(|r| format!(": {r}")).unwrap_or_default())]
+    Lost {
+        /// What it should have been doing.
+        during: &'static str,
+        /// What it is doing.
+        state: FlightState,
+        /// Why, as it says.
+        reason: Option<AbortReason>,
+    },
+}
+
+/// How a flight went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The maneuver was flown to its end and the vehicle caught.
+    Completed,
+    /// The vehicle broke the maneuver off.
+    Aborted,
+    /// The gate never opened; the vehicle was landed.
+    NotTriggered,
+    /// The maneuver was flown to its end but the vehicle was not caught.
+    NotCaught,
+}
+
+impl Outcome {
+    /// One word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Completed => "completed",
+            Self::Aborted => "aborted",
+            Self::NotTriggered => "not-triggered",
+            Self::NotCaught => "not-caught",
+        }
+    }
+}
+
+/// What a flight brought back.
+#[derive(Clone, Debug)]
+pub struct FlightResult {
+    /// How it went.
+    pub outcome: Outcome,
+    /// Why it went otherwise than planned, in words.
+    pub reason: Option<String>,
+    /// Who flew.
+    pub identity: Identity,
+    /// Duration flown, s: T if the maneuver ran to its end.
+    pub flown_duration_s: f64,
+    /// The vehicle's record.
+    pub record: Vec<RecordedTick>,
+    /// Late ticks during the maneuver, by the record.
+    pub missed_ticks: u32,
+}
+
+/// Told about the flight as it goes.
+pub trait Witness {
+    /// A new phase began at this time, s.
+    fn phase(&mut self, phase: Phase, now_s: f64);
+    /// Something worth a line.
+    fn event(&mut self, now_s: f64, text: &str);
+}
+
+/// A flight under way.
+struct Flight<'a, C, W> {
+    connection: &'a mut C,
+    witness: &'a mut W,
+    client: Client,
+    estimator: Estimator,
+    estimate: Option<Estimate>,
+    calmness: Calmness,
+    /// Where to be; `None` while the vehicle stands with its motors off.
+    reference: Option<Reference>,
+    /// The plan and when it was triggered, while the vehicle flies it.
+    playing: Option<(Plan, f64)>,
+    now_s: f64,
+}
+
+/// Flies a table. The vehicle stands on the ground, level, below the start.
+///
+/// # Errors
+/// [`FlightError`] where the flight could not take place or lost its vehicle. The motors are off then, or the vehicle
+/// has been told to switch them off.
+pub fn fly(
+    connection: &mut impl Connection,
+    plan: &FlightPlan,
+    witness: &mut impl Witness,
+) -> Result<FlightResult, FlightError> {
+    let mut flight = Flight {
+        connection,
+        witness,
+        client: Client::default(),
+        estimator: Estimator::new(),
+        estimate: None,
+        calmness: Calmness::Grounded,
+        reference: None,
+        playing: None,
+        now_s: 0.0,
+    };
+    let result = flight.run(plan);
+    if result.is_err() {
+        // Whatever went wrong: motors off. The vehicle's own timeouts stand behind this.
+        let _ = flight.call("stopping the motors", Request::EmergencyStop);
+    }
+    result
+}
+
+impl<C: Connection, W: Witness> Flight<'_, C, W> {
+    fn run(&mut self, plan: &FlightPlan) -> Result<FlightResult, FlightError> {
+        self.enter(Phase::Prepare);
+        let ground = self.step()?.position_m;
+        let identity = self.identify()?;
+        let checksum = self.upload(&plan.table)?;
+        self.arm()?;
+
+        self.enter(Phase::TakeOff);
+        let heading_rad = f64::from(plan.table.heading_rad);
+        self.move_to(ground, plan.start_m, heading_rad, CLIMB_MPS)?;
+        self.enter(Phase::Hover);
+        let mut reason = self.hover_to_gate(&Reference::hold(plan.start_m, heading_rad))?;
+        let mut outcome = Outcome::NotTriggered;
+        let mut flown_duration_s = 0.0;
+        if reason.is_none() {
+            self.enter(Phase::Maneuver);
+            reason = self.maneuver(plan, checksum)?.map(|abort| abort.to_string());
+            flown_duration_s = self.client.telemetry().map_or(0.0, |t| f64::from(t.maneuver_s));
+            outcome = if reason.is_some() { Outcome::Aborted } else { Outcome::Completed };
+            self.enter(Phase::Catch);
+            let target = Reference::hold(plan.end_m(), heading_rad);
+            if !self.catch(&target)? && outcome == Outcome::Completed {
+                outcome = Outcome::NotCaught;
+                reason = Some(format!(
+                    "the vehicle did not come to rest at the end within {CATCH_TIMEOUT_S} s of the maneuver"
+                ));
+            }
+        }
+        self.enter(Phase::Land);
+        self.land(ground.z, heading_rad)?;
+        self.enter(Phase::Download);
+        let record = if outcome == Outcome::NotTriggered { Vec::new() } else { self.download()? };
+        let late = |t: &&RecordedTick| f64::from(t.interval_us) > 1.5 * 1250.0;
+        let missed_ticks = record.iter().filter(late).count() as u32;
+        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, missed_ticks })
+    }
+
+    fn enter(&mut self, phase: Phase) {
+        self.connection.enter(phase);
+        self.witness.phase(phase, self.now_s);
+    }
+
+    /// One pose: estimate, steer, and listen. Returns the estimate.
+    fn step(&mut self) -> Result<Estimate, FlightError> {
+        let pose = self.connection.next_pose()?;
+        self.now_s = pose.arrived_s;
+        if let Some((plan, since_s)) = &self.playing {
+            let elapsed = (self.now_s - since_s) as f32;
+            let (angle, impulse) = plan.integrals(elapsed, elapsed + 1e-3);
+            let planned = Setpoint { rates_radps: [0.0, angle * 1e3, 0.0], thrust_mps2: impulse * 1e3 };
+            if elapsed < plan.duration_s() {
+                self.estimator.note_command(self.now_s, planned);
+            }
+        }
+        let estimate = self.estimator.update(&pose, self.calmness);
+        self.estimate = Some(estimate);
+        if let Some(reference) = &self.reference {
+            let setpoint = control(&estimate, reference);
+            self.client.stream(self.connection, setpoint)?;
+            if self.playing.is_none() {
+                self.estimator.note_command(self.now_s, setpoint);
+            }
+        }
+        Ok(estimate)
+    }
+
+    /// Asks and steers on until the answer comes.
+    fn call(&mut self, during: &'static str, request: Request) -> Result<Reply, FlightError> {
+        let failed = |source| FlightError::Client { during, source };
+        self.client.ask(self.connection, request, self.now_s)?;
+        loop {
+            self.step()?;
+            if let Some(reply) = self.client.poll(self.connection, self.now_s).map_err(failed)? {
+                return Ok(reply);
+            }
+        }
+    }
+
+    /// One step while nothing is asked; returns the estimate and what the vehicle last said of its state.
+    fn watch(&mut self, during: &'static str, expected: &[FlightState]) -> Result<Estimate, FlightError> {
+        let estimate = self.step()?;
+        self.client
+            .poll(self.connection, self.now_s)
+            .map_err(|source| FlightError::Client { during, source })?;
+        if let Some(t) = self.client.telemetry()
+            && !expected.contains(&t.state)
+        {
+            return Err(FlightError::Lost { during, state: t.state, reason: t.abort });
+        }
+        Ok(estimate)
+    }
+
+    fn identify(&mut self) -> Result<Identity, FlightError> {
+        match self.call("identifying the vehicle", Request::Identify)? {
+            Reply::Identity(identity) => Ok(identity),
+            _ => Err(mismatch("identifying the vehicle")),
+        }
+    }
+
+    /// Stages, commits and reads back. Returns the checksum that names the table.
+    fn upload(&mut self, table: &ManeuverTable) -> Result<u32, FlightError> {
+        const DURING: &str = "uploading the table";
+        let mut buffer = [0; MAX_TABLE_BYTES];
+        let length = table.encode(&mut buffer)?;
+        let bytes = heapless::Vec::from_slice(&buffer[..length]).map_err(|_| TableError::Length)?;
+        let checksum = table.checksum();
+        self.call(DURING, Request::StageTable(bytes.clone()))?;
+        self.call(DURING, Request::CommitTable { checksum })?;
+        match self.call(DURING, Request::ReadTable)? {
+            Reply::Table(back) if back == bytes => Ok(checksum),
+            _ => Err(FlightError::ReadBack),
+        }
+    }
+
+    /// Waits until nothing blocks arming, then arms.
+    fn arm(&mut self) -> Result<(), FlightError> {
+        let since = self.now_s;
+        loop {
+            match self.call("arming", Request::Arm) {
+                Ok(_) => return Ok(()),
+                // Calibration takes its time; the rest does not go away by waiting, but may (a person's hand).
+                Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
+                    if self.now_s - since > READY_TIMEOUT_S {
+                        return Err(FlightError::NotReady(refusal));
+                    }
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    /// Moves the reference in a straight line at a speed.
+    fn move_to(
+        &mut self,
+        from: Vector3<f64>,
+        to: Vector3<f64>,
+        heading_rad: f64,
+        speed_mps: f64,
+    ) -> Result<(), FlightError> {
+        let way = to - from;
+        let duration_s = way.norm() / speed_mps;
+        let velocity_mps = way.cap_magnitude(speed_mps);
+        let since = self.now_s;
+        loop {
+            let part = ((self.now_s - since) / duration_s).min(1.0);
+            if part >= 1.0 || duration_s == 0.0 {
+                self.reference = Some(Reference::hold(to, heading_rad));
+                return Ok(());
+            }
+            self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
+            let estimate =
+                self.watch("flying", &[FlightState::Armed, FlightState::Flying, FlightState::Disarmed])?;
+            if estimate.position_m.z - from.z > LANDED_HEIGHT_M && self.calmness == Calmness::Grounded {
+                self.calmness = Calmness::Calm;
+            }
+            // The reference leaves the ground before the vehicle does: thrust builds up on it.
+            if self.now_s - since > 0.5 {
+                self.calmness = Calmness::Calm;
+            }
+        }
+    }
+
+    /// Holds the reference until the gate is open. `Some` with the reason if it never was.
+    fn hover_to_gate(&mut self, reference: &Reference) -> Result<Option<String>, FlightError> {
+        self.reference = Some(*reference);
+        let since = self.now_s;
+        let mut open_since = None;
+        let (mut least_tilt, mut least_speed) = (f64::INFINITY, f64::INFINITY);
+        while self.now_s - since < GATE_TIMEOUT_S {
+            let estimate = self.watch("hovering", &[FlightState::Flying])?;
+            let (tilt, speed) = (estimate.tilt_rad(), estimate.velocity_mps.norm());
+            let (least_t, least_s) = (least_tilt.min(tilt), least_speed.min(speed));
+            (least_tilt, least_speed) = (least_t, least_s);
+            let near = (estimate.position_m - reference.position_m).norm() <= GATE_POSITION_M;
+            let settled = self.now_s - since >= HOVER_SETTLE_S;
+            let open = settled && near && tilt <= GATE_TILT_RAD && speed <= GATE_SPEED_MPS;
+            let began = if open { *open_since.get_or_insert(self.now_s) } else { f64::INFINITY };
+            if !open {
+                open_since = None;
+            }
+            if self.now_s - began >= GATE_HOLD_S {
+                self.witness.event(
+                    self.now_s,
+                    &format!("gate open: tilt {:.2} mrad, speed {:.1} mm/s", tilt * 1e3, speed * 1e3),
+                );
+                return Ok(None);
+            }
+        }
+        Ok(Some(format!(
+            "the gate did not open within {GATE_TIMEOUT_S} s: smallest tilt {:.2} mrad (needed {:.0}), smallest speed \
+             {:.1} mm/s (needed {:.0}); calm the air, check the balance and the cameras",
+            least_tilt * 1e3,
+            GATE_TILT_RAD * 1e3,
+            least_speed * 1e3,
+            GATE_SPEED_MPS * 1e3,
+        )))
+    }
+
+    /// Triggers and waits for the end. `Some` with the reason if the vehicle broke it off.
+    fn maneuver(&mut self, plan: &FlightPlan, checksum: u32) -> Result<Option<AbortReason>, FlightError> {
+        let played = Plan::new(&plan.table);
+        let duration_s = f64::from(played.duration_s());
+        self.call("triggering the maneuver", Request::Trigger { checksum })?;
+        self.calmness = Calmness::Agile;
+        // The answer came within the tick that began it, and one pose ago.
+        self.playing = Some((played, self.now_s - 0.005));
+        let heading_rad = f64::from(plan.table.heading_rad);
+        self.reference = Some(Reference::hold(plan.end_m(), heading_rad));
+        let since = self.now_s;
+        let mut seen = false;
+        loop {
+            self.watch(
+                "in a maneuver",
+                &[FlightState::Flying, FlightState::Maneuver, FlightState::LinkLost, FlightState::Stopped],
+            )?;
+            let Some(t) = self.client.telemetry().copied() else { continue };
+            seen |= t.state == FlightState::Maneuver;
+            let late = self.now_s - since > duration_s + TRIGGER_TIMEOUT_S;
+            if t.state == FlightState::Stopped {
+                return Err(FlightError::Lost { during: "in a maneuver", state: t.state, reason: t.abort });
+            }
+            if late || (seen && t.state != FlightState::Maneuver) {
+                self.playing = None;
+                return Ok(if t.maneuver_complete {
+                    None
+                } else {
+                    Some(t.abort.unwrap_or(AbortReason::LateTicks))
+                });
+            }
+        }
+    }
+
+    /// Brings the vehicle to rest at the reference. Whether it got there in time.
+    fn catch(&mut self, reference: &Reference) -> Result<bool, FlightError> {
+        self.reference = Some(*reference);
+        let since = self.now_s;
+        let mut settled_since = None;
+        while self.now_s - since < CATCH_TIMEOUT_S {
+            let estimate =
+                self.watch("flying", &[FlightState::Flying, FlightState::LinkLost, FlightState::Maneuver])?;
+            if self.now_s - since > 1.5 {
+                self.calmness = Calmness::Calm;
+            }
+            let near = (estimate.position_m - reference.position_m).norm() <= CAUGHT_POSITION_M
+                && estimate.velocity_mps.norm() <= CAUGHT_SPEED_MPS;
+            let began = if near { *settled_since.get_or_insert(self.now_s) } else { f64::INFINITY };
+            if !near {
+                settled_since = None;
+            }
+            if self.now_s - began > 0.3 {
+                return Ok(true);
+            }
+        }
+        self.calmness = Calmness::Calm;
+        Ok(false)
+    }
+
+    fn land(&mut self, ground_z_m: f64, heading_rad: f64) -> Result<(), FlightError> {
+        let here = self.step()?.position_m;
+        let above = |height: f64| Vector3::new(here.x, here.y, ground_z_m + height);
+        if here.z - ground_z_m > 1.0 {
+            self.move_to(here, above(1.0), heading_rad, DESCENT_MPS)?;
+        }
+        let top = above((here.z - ground_z_m).clamp(0.0, 1.0));
+        // The reference goes below the ground; the vehicle cannot follow, which is how it is known to stand.
+        let since = self.now_s;
+        while self.now_s - since < LAND_TIMEOUT_S {
+            let depth = TOUCH_DOWN_MPS * (self.now_s - since);
+            let velocity_mps = Vector3::new(0.0, 0.0, -TOUCH_DOWN_MPS);
+            self.reference =
+                Some(Reference { position_m: top - Vector3::z() * depth, velocity_mps, heading_rad });
+            let estimate = self.watch("flying", &[FlightState::Flying])?;
+            if estimate.position_m.z - ground_z_m < LANDED_HEIGHT_M {
+                break;
+            }
+        }
+        self.reference = None;
+        self.call("disarming", Request::Disarm)?;
+        Ok(())
+    }
+
+    fn download(&mut self) -> Result<Vec<RecordedTick>, FlightError> {
+        const DURING: &str = "downloading the record";
+        let mut record = Vec::new();
+        loop {
+            let first = record.len() as u32;
+            let Reply::Record(RecordChunk { first: got, total, bytes }) =
+                self.call(DURING, Request::ReadRecord { first })?
+            else {
+                return Err(mismatch(DURING));
+            };
+            let (ticks, rest) = bytes.as_chunks::<RECORD_BYTES>();
+            if got != first || !rest.is_empty() || (ticks.is_empty() && first < total) {
+                return Err(mismatch(DURING));
+            }
+            record.extend(ticks.iter().map(RecordedTick::from_bytes));
+            if record.len() as u32 >= total {
+                return Ok(record);
+            }
+        }
+    }
+}
+
+fn mismatch(during: &'static str) -> FlightError {
+    FlightError::Client { during, source: ClientError::Mismatch }
+}

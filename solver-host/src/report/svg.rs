@@ -1,0 +1,237 @@
+//! SVG text: elements, escaping and numbers. Nothing that is not finite gets into an attribute.
+
+use std::fmt::Write as _;
+
+/// A point on the page, SVG units, y down.
+pub(super) type Point = (f64, f64);
+
+/// A rectangle on the page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rect {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) width: f64,
+    pub(super) height: f64,
+}
+
+impl Rect {
+    pub(super) fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    pub(super) fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+}
+
+/// Where a text is anchored.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// How a text looks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TextStyle {
+    pub(super) size: f64,
+    pub(super) colour: &'static str,
+    pub(super) anchor: Anchor,
+    pub(super) bold: bool,
+}
+
+impl TextStyle {
+    pub(super) fn new(size: f64, colour: &'static str) -> Self {
+        Self { size, colour, anchor: Anchor::Start, bold: false }
+    }
+
+    pub(super) fn anchored(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    pub(super) fn bold(self) -> Self {
+        Self { bold: true, ..self }
+    }
+}
+
+/// A growing SVG document. Colours and widths come as ready attributes, data only as numbers and escaped text.
+#[derive(Default)]
+pub(super) struct Svg {
+    out: String,
+}
+
+impl Svg {
+    pub(super) fn raw(&mut self, markup: &str) {
+        self.out.push_str(markup);
+        self.out.push('\n');
+    }
+
+    pub(super) fn open_group(&mut self, attributes: &str) {
+        let _ = writeln!(self.out, "<g {attributes}>");
+    }
+
+    pub(super) fn close_group(&mut self) {
+        self.out.push_str("</g>\n");
+    }
+
+    pub(super) fn rect(&mut self, rect: &Rect, attributes: &str) {
+        let [x, y, width, height] = [rect.x, rect.y, rect.width, rect.height].map(px);
+        let _ =
+            writeln!(self.out, r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {attributes}/>"#);
+    }
+
+    pub(super) fn line(&mut self, from: Point, to: Point, attributes: &str) {
+        let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(px);
+        let _ = writeln!(self.out, r#"<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" {attributes}/>"#);
+    }
+
+    pub(super) fn circle(&mut self, centre: Point, radius: f64, attributes: &str) {
+        let [x, y, r] = [centre.0, centre.1, radius].map(px);
+        let _ = writeln!(self.out, r#"<circle cx="{x}" cy="{y}" r="{r}" {attributes}/>"#);
+    }
+
+    /// A curve through points, thinned to what can be seen. Nothing for fewer than two points.
+    pub(super) fn curve(&mut self, points: &[Point], attributes: &str) {
+        let points = simplify(points);
+        if points.len() < 2 {
+            return;
+        }
+        self.out.push_str("<polyline points=\"");
+        for (i, (x, y)) in points.into_iter().enumerate() {
+            let space = if i == 0 { "" } else { " " };
+            let _ = write!(self.out, "{space}{},{}", px(x), px(y));
+        }
+        let _ = writeln!(self.out, "\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>");
+    }
+
+    pub(super) fn text(&mut self, at: Point, text: &str, style: TextStyle) {
+        self.text_with(at, text, style, "");
+    }
+
+    /// Text that reads upwards, centred on the point.
+    pub(super) fn text_upwards(&mut self, at: Point, text: &str, style: TextStyle) {
+        let rotation = format!(r#" transform="rotate(-90 {} {})""#, px(at.0), px(at.1));
+        self.text_with(at, text, style.anchored(Anchor::Middle), &rotation);
+    }
+
+    fn text_with(&mut self, at: Point, text: &str, style: TextStyle, more: &str) {
+        let anchor = match style.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => r#" text-anchor="middle""#,
+            Anchor::End => r#" text-anchor="end""#,
+        };
+        let weight = if style.bold { r#" font-weight="700""# } else { "" };
+        let _ = writeln!(
+            self.out,
+            r#"<text x="{}" y="{}" font-size="{}" fill="{}"{anchor}{weight}{more}>{}</text>"#,
+            px(at.0),
+            px(at.1),
+            px(style.size),
+            style.colour,
+            escape(text),
+        );
+    }
+
+    pub(super) fn finish(self) -> String {
+        self.out
+    }
+}
+
+/// A length with at most two decimals. What is not finite becomes 0, what is far off the page is brought nearer.
+pub(super) fn px(value: f64) -> String {
+    let value = if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 };
+    let mut text = format!("{value:.2}");
+    // `{:.2}` always writes a point, so only decimals are cut.
+    text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
+    if text == "-0" { "0".to_owned() } else { text }
+}
+
+/// Text as XML character data; characters that XML 1.0 does not allow are left out.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\t' | '\n' | '\r' => out.push(' '),
+            c if c < ' ' || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// About how wide a text is in the embedded font.
+pub(super) fn text_width(text: &str, size: f64) -> f64 {
+    let em = |c: char| match c {
+        'i' | 'j' | 'l' | '\'' | '.' | ',' | ':' | ';' | '|' | '!' | ' ' => 0.27,
+        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '/' => 0.37,
+        'm' | 'w' | 'M' | 'W' | '@' => 0.88,
+        c if c.is_uppercase() => 0.66,
+        c if c.is_ascii() => 0.58,
+        c if c < '\u{2e80}' => 0.6,
+        _ => 1.0,
+    };
+    text.chars().map(em).sum::<f64>() * size
+}
+
+/// The text, cut with an ellipsis if it is wider than `width`.
+pub(super) fn fit(text: &str, size: f64, width: f64) -> String {
+    if text_width(text, size) <= width {
+        return text.to_owned();
+    }
+    let mut kept = String::new();
+    for c in text.chars() {
+        kept.push(c);
+        if text_width(&kept, size) + size > width {
+            break;
+        }
+    }
+    kept.push('…');
+    kept
+}
+
+/// The fewest of the points through which the curve looks the same: no point left out is further than a tenth of a
+/// pixel from it (Douglas and Peucker's method).
+fn simplify(points: &[Point]) -> Vec<Point> {
+    const TOLERANCE: f64 = 0.1;
+    let mut near: Vec<Point> = Vec::with_capacity(points.len());
+    for &point in points {
+        if near.last().is_none_or(|last| (last.0 - point.0).hypot(last.1 - point.1) > 0.02) {
+            near.push(point);
+        }
+    }
+    if near.len() < 3 {
+        return near;
+    }
+    let last = near.len() - 1;
+    let mut keep = vec![false; near.len()];
+    keep[0] = true;
+    keep[last] = true;
+    let mut open = vec![(0, last)];
+    while let Some((a, b)) = open.pop() {
+        let farthest = (a + 1..b)
+            .map(|i| (distance(near[i], near[a], near[b]), i))
+            .max_by(|one, other| one.0.total_cmp(&other.0));
+        if let Some((distance, i)) = farthest
+            && distance > TOLERANCE
+        {
+            keep[i] = true;
+            open.push((a, i));
+            open.push((i, b));
+        }
+    }
+    near.into_iter().zip(keep).filter_map(|(point, keep)| keep.then_some(point)).collect()
+}
+
+/// Distance of a point from the segment between two others.
+fn distance(p: Point, a: Point, b: Point) -> f64 {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let length2 = dx * dx + dy * dy;
+    let along = if length2 > 0.0 { ((p.0 - a.0) * dx + (p.1 - a.1) * dy) / length2 } else { 0.0 };
+    let along = along.clamp(0.0, 1.0);
+    (p.0 - a.0 - along * dx).hypot(p.1 - a.1 - along * dy)
+}
