@@ -11,12 +11,26 @@ use super::relax::{Relaxation, first_mu, relax};
 use super::starts::{Start, build, starts};
 use super::structure::Candidate;
 
-/// Evaluations one path may take; losers use the most.
-const PATH_BUDGET: u32 = 400;
-/// Starts tried in one pass; the winner is first in five of six problems.
-const PATHS: usize = 4;
-/// A start whose estimate exceeds the best T by this factor is not tried.
-const HOPELESS: f64 = 1.1;
+/// How hard to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Effort {
+    /// Evaluations one path may take; losers use the most.
+    path_budget: u32,
+    /// Starts tried in one pass.
+    paths: usize,
+    /// A start whose estimate exceeds the best T by this factor is not tried.
+    hopeless: f64,
+    /// Run the backward pass and the detours even where nothing went wrong.
+    everything: bool,
+}
+
+impl Effort {
+    /// Enough for almost every problem: the winner is the first start in five of six.
+    pub(crate) const NORMAL: Self = Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false };
+    /// A second look at everything, some thirty times slower.
+    pub(crate) const THOROUGH: Self = Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true };
+}
+
 /// Two durations this close, relative, are the same maneuver or its mirror image.
 pub(crate) const TIE: f64 = 1e-9;
 /// Most windings kept.
@@ -33,6 +47,7 @@ pub(crate) struct Found {
 
 /// State of one search.
 pub(crate) struct Search<'a> {
+    effort: Effort,
     /// Winding 0.
     problem: Problem,
     turns: Option<i32>,
@@ -46,8 +61,14 @@ pub(crate) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(crate) fn new(problem: Problem, turns: Option<i32>, cancelled: &'a dyn Fn() -> bool) -> Self {
+    pub(crate) fn new(
+        problem: Problem,
+        turns: Option<i32>,
+        effort: Effort,
+        cancelled: &'a dyn Fn() -> bool,
+    ) -> Self {
         Self {
+            effort,
             problem,
             turns,
             cancelled,
@@ -77,7 +98,7 @@ impl<'a> Search<'a> {
     }
 
     fn unfinished(&self) -> bool {
-        !self.was_cancelled && (self.found.is_empty() || self.lost)
+        !self.was_cancelled && (self.found.is_empty() || self.lost || self.effort.everything)
     }
 
     fn best(&self) -> f64 {
@@ -99,9 +120,9 @@ impl<'a> Search<'a> {
         // Backwards, θ runs from θ_T + 2πk to θ_0: the winding is moved to the end and changes sign.
         let wanted = if backwards { self.turns.map(|k| -k) } else { self.turns };
         let list = starts(&problem, &relaxed, wanted, mu);
-        for start in list.iter().take(PATHS) {
+        for start in list.iter().take(self.effort.paths) {
             let best = self.best();
-            if self.was_cancelled || start.estimate > HOPELESS * best {
+            if self.was_cancelled || start.estimate > self.effort.hopeless * best {
                 break;
             }
             if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best) {
@@ -128,7 +149,7 @@ impl<'a> Search<'a> {
         let mut wound = *problem;
         wound.to[4] += f64::from(start.turns) * TAU;
         let family = Family::rate_limit(&wound);
-        let bounds = Bounds { budget: PATH_BUDGET, slower_than, monotone: true, cancelled: self.cancelled };
+        let bounds = Bounds { budget: self.effort.path_budget, slower_than, monotone: true, cancelled: self.cancelled };
         match follow(&mut self.newton, &family, &mut candidate, mu, &bounds) {
             Ok(()) => {
                 self.newton.polish(&wound, 1.0, &mut candidate)?;
@@ -159,7 +180,7 @@ impl<'a> Search<'a> {
             let mut displaced = self.problem;
             displaced.to[0] += scale * step * c;
             displaced.to[2] += scale * step * s;
-            let mut search = Search::new(displaced, self.turns, self.cancelled);
+            let mut search = Search::new(displaced, self.turns, Effort { everything: false, ..self.effort }, self.cancelled);
             search.newton.evaluations = self.newton.evaluations;
             search.pass(&displaced, false);
             if search.found.is_empty() {
@@ -191,13 +212,13 @@ impl<'a> Search<'a> {
         let family = Family { base, mu: 1.0, direction: Direction::between(&base, &target) };
         let mut candidate = neighbour.candidate.clone();
         let bounds = Bounds {
-            budget: PATH_BUDGET,
+            budget: self.effort.path_budget,
             slower_than: f64::INFINITY,
             monotone: false,
             cancelled: self.cancelled,
         };
         follow(&mut self.newton, &family, &mut candidate, 0.0, &bounds).ok()?;
-        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, PATH_BUDGET)?;
+        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, self.effort.path_budget)?;
         self.newton.polish(&target, 1.0, &mut candidate)?;
         let duration = candidate.duration(1.0);
         Some((candidate, duration))
