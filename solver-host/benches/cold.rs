@@ -20,9 +20,16 @@ fn main() {
         let mut verified = 0;
         let mut evaluations = 0;
         for (_, request) in list.iter().filter(|(c, _)| *c == class) {
-            let clock = Instant::now();
-            let answer = solve(request);
-            times.push(clock.elapsed());
+            // The faster of three: a solve is deterministic, what the scheduler adds is not.
+            let mut answer = solve(request);
+            let time = (0..3)
+                .map(|_| {
+                    let clock = Instant::now();
+                    answer = solve(request);
+                    clock.elapsed()
+                })
+                .min();
+            times.push(time.unwrap_or_default());
             match answer {
                 Ok(solution) => {
                     verified += 1;

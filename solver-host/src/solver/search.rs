@@ -31,6 +31,12 @@ impl Effort {
     pub(crate) const THOROUGH: Self = Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true };
 }
 
+/// Best T over the T at which a lost path died, below which nothing is lost.
+const SETTLED: f64 = 1.02;
+/// T over its estimate beyond which a path is doubted.
+const DOUBTFUL: f64 = 1.08;
+/// The first μ, and smaller ones to try where the first solve fails.
+const FIRST_MU_FACTORS: [f64; 3] = [1.0, 0.2, 0.04];
 /// Two durations this close, relative, are the same maneuver or its mirror image.
 pub(crate) const TIE: f64 = 1e-9;
 /// Most windings kept.
@@ -55,8 +61,10 @@ pub(crate) struct Search<'a> {
     pub(crate) newton: Newton,
     /// Best of each winding.
     pub(crate) found: Vec<Found, MAX_WINDINGS>,
-    /// A path that could have won died.
-    lost: bool,
+    /// Least T at which a path died that could have won: the true T may be anywhere above it.
+    lost_at: f64,
+    /// A path ended far from its estimate: it may have slipped to another branch.
+    doubtful: bool,
     was_cancelled: bool,
 }
 
@@ -74,7 +82,8 @@ impl<'a> Search<'a> {
             cancelled,
             newton: Newton::new(),
             found: Vec::new(),
-            lost: false,
+            lost_at: f64::INFINITY,
+            doubtful: false,
             was_cancelled: false,
         }
     }
@@ -83,13 +92,18 @@ impl<'a> Search<'a> {
     pub(crate) fn run(&mut self) -> bool {
         let problem = self.problem;
         self.pass(&problem, false);
-        if self.unfinished() {
+        if self.unfinished() || self.doubtful {
             // The same problem backwards starts from other guesses.
-            self.lost = false;
+            self.lost_at = f64::INFINITY;
             self.pass(&problem, true);
         }
         if self.unfinished() {
-            self.lost = false;
+            self.detour();
+        }
+        if !self.was_cancelled && self.found.is_empty() && !self.effort.everything {
+            self.effort = Effort::THOROUGH;
+            self.pass(&problem, false);
+            self.pass(&problem, true);
             self.detour();
         }
         self.add_mirror_images();
@@ -98,7 +112,13 @@ impl<'a> Search<'a> {
     }
 
     fn unfinished(&self) -> bool {
-        !self.was_cancelled && (self.found.is_empty() || self.lost || self.effort.everything)
+        !self.was_cancelled
+            && (self.found.is_empty() || self.lost_at < f64::INFINITY || self.effort.everything)
+    }
+
+    /// What was found is hardly slower than where a path died, so that path has nothing better to offer.
+    fn settled(&self) -> bool {
+        !self.effort.everything && self.lost_at < f64::INFINITY && self.best() < SETTLED * self.lost_at
     }
 
     fn best(&self) -> f64 {
@@ -120,9 +140,11 @@ impl<'a> Search<'a> {
         // Backwards, θ runs from θ_T + 2πk to θ_0: the winding is moved to the end and changes sign.
         let wanted = if backwards { self.turns.map(|k| -k) } else { self.turns };
         let list = starts(&problem, &relaxed, wanted, mu);
-        for start in list.iter().take(self.effort.paths) {
+        for (i, start) in list.iter().enumerate() {
             let best = self.best();
-            if self.was_cancelled || start.estimate > self.effort.hopeless * best {
+            // A few starts are tried for their own sake, more as long as they promise to be faster.
+            let enough = if i < self.effort.paths { self.effort.hopeless * best } else { best };
+            if self.was_cancelled || i >= 2 * self.effort.paths || start.estimate > enough {
                 break;
             }
             if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best) {
@@ -145,15 +167,29 @@ impl<'a> Search<'a> {
         mu: f64,
         slower_than: f64,
     ) -> Option<(Candidate, f64)> {
-        let mut candidate = build(problem, relaxed, start, mu)?;
         let mut wound = *problem;
         wound.to[4] += f64::from(start.turns) * TAU;
         let family = Family::rate_limit(&wound);
-        let bounds = Bounds { budget: self.effort.path_budget, slower_than, monotone: true, cancelled: self.cancelled };
-        match follow(&mut self.newton, &family, &mut candidate, mu, &bounds) {
-            Ok(()) => {
+        let bounds = Bounds {
+            budget: self.effort.path_budget,
+            slower_than,
+            monotone: true,
+            cancelled: self.cancelled,
+        };
+        let mut outcome = Err(Dead::NotBegun);
+        for mu in FIRST_MU_FACTORS.map(|factor| factor * mu) {
+            let Some(mut candidate) = build(problem, relaxed, start, mu) else { continue };
+            outcome =
+                follow(&mut self.newton, &family, &mut candidate, mu, &bounds).map(|()| candidate.clone());
+            if !matches!(outcome, Err(Dead::NotBegun)) {
+                break;
+            }
+        }
+        match outcome {
+            Ok(mut candidate) => {
                 self.newton.polish(&wound, 1.0, &mut candidate)?;
                 let duration = candidate.duration(1.0);
+                self.doubtful |= duration > DOUBTFUL * start.estimate;
                 Some((candidate, duration))
             }
             Err(Dead::Cancelled) => {
@@ -161,8 +197,14 @@ impl<'a> Search<'a> {
                 None
             }
             Err(Dead::Slower) => None,
-            Err(Dead::Stuck | Dead::Budget) => {
-                self.lost |= start.estimate < slower_than;
+            Err(dead) => {
+                let died_at = match dead {
+                    Dead::Stuck { duration } | Dead::Budget { duration } => duration,
+                    _ => start.estimate,
+                };
+                if start.estimate < slower_than {
+                    self.lost_at = self.lost_at.min(died_at);
+                }
                 None
             }
         }
@@ -172,6 +214,9 @@ impl<'a> Search<'a> {
     fn detour(&mut self) {
         let scale = self.detour_length();
         for (step, angle) in DETOURS {
+            if self.settled() {
+                return;
+            }
             if self.was_cancelled || (self.cancelled)() {
                 self.was_cancelled = true;
                 return;
@@ -180,7 +225,12 @@ impl<'a> Search<'a> {
             let mut displaced = self.problem;
             displaced.to[0] += scale * step * c;
             displaced.to[2] += scale * step * s;
-            let mut search = Search::new(displaced, self.turns, Effort { everything: false, ..self.effort }, self.cancelled);
+            let mut search = Search::new(
+                displaced,
+                self.turns,
+                Effort { everything: false, ..self.effort },
+                self.cancelled,
+            );
             search.newton.evaluations = self.newton.evaluations;
             search.pass(&displaced, false);
             if search.found.is_empty() {
