@@ -1215,9 +1215,11 @@ fn an_emergency_stop_finds_room() {
         send(&mut vehicle, Request::Arm);
         tick(&mut vehicle);
         assert_eq!(vehicle.state(), FlightState::Armed);
+        // A disarm behind it does not undo it.
         for i in 0..12 {
             send(&mut vehicle, if i == place { Request::EmergencyStop } else { Request::Status });
         }
+        send(&mut vehicle, Request::Disarm);
         assert_eq!(tick(&mut vehicle).throttle, None, "place {place}");
         assert_eq!(vehicle.state(), FlightState::Stopped);
     }
