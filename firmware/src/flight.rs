@@ -77,6 +77,8 @@ pub struct FlightLogic<M> {
     /// What was commanded over the tick that just ended.
     commanded: Setpoint,
     runaway_ticks: u32,
+    /// Number of the request that triggered the last maneuver since arming.
+    pub(crate) last_trigger: Option<u16>,
     next_telemetry_us: u64,
     ticks: u32,
     late_ticks: u32,
@@ -106,6 +108,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             host_setpoint: None,
             commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
             runaway_ticks: 0,
+            last_trigger: None,
             next_telemetry_us: 0,
             ticks: 0,
             late_ticks: 0,
@@ -220,6 +223,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
             .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
             .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
+            .when(B::GYRO_FROZEN, self.gyro.repeats_itself())
             .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
             .when(B::BATTERY_LOW, low)
             .when(B::KILL_SWITCH, self.kill)
@@ -241,6 +245,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.rate.reset(self.gyro.rates_radps());
                 self.runaway_ticks = 0;
                 self.worst_interval_us = 0;
+                self.last_trigger = None;
                 // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
             }

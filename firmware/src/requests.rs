@@ -44,9 +44,7 @@ impl Tables {
         if table.checksum() != checksum {
             return Err(Refusal::NotStaged);
         }
-        table
-            .check_for(config.hash(), config.plan_thrust_max_mps2, config.plan_rate_max_radps)
-            .map_err(Refusal::Table)?;
+        table.check_for(config.hash(), &config.plan_limits()).map_err(Refusal::Table)?;
         let duration_s = table.duration_s();
         self.committed = Some(Committed { table, checksum });
         self.staged.clear();
@@ -100,7 +98,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         while let Some(uplink) = inbox.pop_front() {
             let number = uplink.number;
             let reply = if uplink.version == PROTOCOL_VERSION {
-                self.take(uplink.request, now_us, conditions)
+                self.take(number, uplink.request, now_us, conditions)
             } else {
                 Outcome::Now(Reply::Refused(Refusal::ProtocolVersion))
             };
@@ -126,7 +124,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
-    fn take(&mut self, request: Request, now_us: u64, conditions: &mut Conditions) -> Outcome {
+    fn take(&mut self, number: u16, request: Request, now_us: u64, conditions: &mut Conditions) -> Outcome {
         let motors_on = self.state().motors_on();
         let result = match request {
             Request::Identify => Ok(Reply::Identity(self.identity())),
@@ -159,9 +157,12 @@ impl<M: RecordMemory> FlightLogic<M> {
                 }
                 Err(refusal) => Err(refusal),
             },
+            // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
+            Request::Trigger { .. } if self.last_trigger == Some(number) => Ok(Reply::Done),
             Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
                 Ok(()) => {
                     *conditions |= Conditions::TRIGGER;
+                    self.last_trigger = Some(number);
                     return Outcome::After(FlightState::Maneuver);
                 }
                 Err(refusal) => Err(refusal),
@@ -193,7 +194,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     fn may_trigger(&self, checksum: u32, now_us: u64) -> Result<(), Refusal> {
         match self.state() {
-            FlightState::Flying | FlightState::Maneuver => {}
+            FlightState::Flying => {}
             state => return Err(Refusal::WrongState(state)),
         }
         if self.tables.committed.is_none() || self.tables.committed_checksum() != checksum {

@@ -136,11 +136,12 @@ pub const TRANSITIONS: [Transition; 20] = {
         row(ON, C::RUNAWAY, NONE, Stopped, Some(AbortReason::Runaway)),
         // Nobody is flying.
         row(States::LINK_LOST, C::LINK_DEAD, C::FRESH, Stopped, Some(AbortReason::LinkLost)),
-        // The maneuver failed but the vehicle is controllable: back to the host, if it is there.
+        // The maneuver failed but the vehicle is controllable: back to the host if it is there. If not, nobody knows which
+        // way is up: motors off.
         row(States::MANEUVER, C::LATE_TICKS.union(C::FRESH), NONE, Flying, Some(AbortReason::LateTicks)),
-        row(States::MANEUVER, C::LATE_TICKS, NONE, LinkLost, Some(AbortReason::LateTicks)),
+        row(States::MANEUVER, C::LATE_TICKS, NONE, Stopped, Some(AbortReason::LateTicks)),
         row(States::MANEUVER, C::OFF_PLAN.union(C::FRESH), NONE, Flying, Some(AbortReason::OffPlan)),
-        row(States::MANEUVER, C::OFF_PLAN, NONE, LinkLost, Some(AbortReason::OffPlan)),
+        row(States::MANEUVER, C::OFF_PLAN, NONE, Stopped, Some(AbortReason::OffPlan)),
         row(States::ARMED, C::IDLE_TOO_LONG, NONE, Disarmed, Some(AbortReason::IdleTimeout)),
         // The ordinary course of a flight.
         row(States::MANEUVER, C::OVER.union(C::FRESH), NONE, Flying, None),

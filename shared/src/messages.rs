@@ -8,7 +8,7 @@
 //! | [`Request::CommitTable`] | [`Reply::Committed`] | motors off; checks the whole table, then replaces the old one |
 //! | [`Request::ReadTable`] | [`Reply::Table`] | always; the committed bytes |
 //! | [`Request::Arm`] | [`Reply::Done`] | disarmed and nothing blocks it |
-//! | [`Request::Disarm`] | [`Reply::Done`] | always; motors off, and it clears a stop |
+//! | [`Request::Disarm`] | [`Reply::Done`] | always; motors off, and it clears a stop unless the kill switch is on |
 //! | [`Request::EmergencyStop`] | [`Reply::Done`] | always; motors off until a `Disarm` clears it |
 //! | [`Request::Setpoint`] | none | acts when armed; ignored otherwise |
 //! | [`Request::Trigger`] | [`Reply::Done`] | flying on fresh setpoints with that very table committed |
@@ -16,7 +16,8 @@
 //!
 //! Besides answers the vehicle sends [`Telemetry`] every [`TELEMETRY_PERIOD_US`] without being asked. A request that
 //! is not carried out is answered by [`Reply::Refused`] with a [`Refusal`], and changes nothing. Requests say what
-//! shall be (“armed”), not what to do, so asking twice is harmless. An answer carries its request's number.
+//! shall be (“armed”), not what to do, so asking twice is harmless; a trigger repeated under one number fires once. An
+//! answer carries its request's number.
 //!
 //! Each frame begins with [`PROTOCOL_VERSION`]; [`crate::framing`] turns messages into bytes. Byte layout is postcard's,
 //! fields in the order of declaration. SI units and radians throughout.
@@ -269,9 +270,6 @@ pub enum Refusal {
     /// No such record.
     #[error("there is no record at that index")]
     NoRecord,
-    /// Too many requests at once.
-    #[error("the vehicle is busy: ask again")]
-    Busy,
 }
 
 /// Reasons that block arming, as bits.
@@ -297,11 +295,13 @@ impl ArmingBlock {
     pub const KILL_SWITCH: Self = Self(1 << 7);
     /// Ticks are late.
     pub const LATE_TICKS: Self = Self(1 << 8);
+    /// The gyro repeats one sample.
+    pub const GYRO_FROZEN: Self = Self(1 << 10);
     /// Stopped by an emergency, not cleared.
     pub const STOPPED: Self = Self(1 << 9);
 
     /// Each bit with the sentence that says what to do.
-    pub const REASONS: [(Self, &'static str); 10] = [
+    pub const REASONS: [(Self, &'static str); 11] = [
         (Self::NO_GYRO, "no gyro on this board"),
         (Self::NO_MOTORS, "no motor outputs on this board"),
         (Self::GYRO_SILENT, "the gyro delivers no samples"),
@@ -311,6 +311,7 @@ impl ArmingBlock {
         (Self::BATTERY_LOW, "the battery is low: charge it"),
         (Self::KILL_SWITCH, "the kill switch is on: release it"),
         (Self::LATE_TICKS, "control ticks are late"),
+        (Self::GYRO_FROZEN, "the gyro repeats one sample: check its wiring"),
         (Self::STOPPED, "stopped after an emergency: disarm to clear it"),
     ];
 

@@ -109,8 +109,8 @@ pub fn bang<T: Real>(rate: T, tau: T) -> Turn<T> {
 /// A singular arc for a time τ.
 pub fn singular<T: Real>(arc: Arc<T>, tau: T) -> Turn<T> {
     // cos φ = (1 − dσ)/Q and sin φ = xσ/Q, so three moments of 1/Q give all four integrals.
-    let [m0, m1, m2] = inverse_moments(arc, tau);
     let (x, d) = (arc.rate, arc.drift);
+    let [m0, m1, m2] = inverse_moments(d, x * x, tau);
     Turn {
         angle: arc.angle_at(tau),
         velocity_along: m0 - d * m1,
@@ -120,12 +120,15 @@ pub fn singular<T: Real>(arc: Arc<T>, tau: T) -> Turn<T> {
     }
 }
 
-/// ∫σⁿ/Q(σ) dσ over \[0, τ\], n = 0, 1, 2.
-fn inverse_moments<T: Real>(arc: Arc<T>, tau: T) -> [T; 3] {
-    let d = arc.drift;
-    let k2 = arc.rate * arc.rate + d * d;
-    let k = k2.sqrt();
-    if k * tau < T::from_f64(0.5) {
+/// ∫σⁿ/Q(σ) dσ over \[0, τ\], n = 0, 1, 2, with Q² = (1 − dσ)² + x²σ² > 0. Takes x², not x, so that its
+/// derivatives stay finite where x = 0.
+pub fn inverse_moments<T: Real>(d: T, x_squared: T, tau: T) -> [T; 3] {
+    let q_squared = |sigma: T| {
+        let along = T::one() - d * sigma;
+        along * along + x_squared * sigma * sigma
+    };
+    let k2 = x_squared + d * d;
+    if k2 * tau * tau < T::from_f64(0.25) {
         // Closed forms cancel for short arcs; 1/Q is analytic with its nearest singularity at |σ| = 1/k, so ten Gauss
         // points are exact to rounding here.
         let half = tau * T::from_f64(0.5);
@@ -133,7 +136,7 @@ fn inverse_moments<T: Real>(arc: Arc<T>, tau: T) -> [T; 3] {
         for (node, weight) in GAUSS_10 {
             for sign in [-1.0, 1.0] {
                 let sigma = half * T::from_f64(1.0 + sign * node);
-                let f = T::from_f64(weight) * half / arc.q_squared(sigma).sqrt();
+                let f = T::from_f64(weight) * half / q_squared(sigma).sqrt();
                 sums[0] += f;
                 sums[1] += f * sigma;
                 sums[2] += f * sigma * sigma;
@@ -141,7 +144,8 @@ fn inverse_moments<T: Real>(arc: Arc<T>, tau: T) -> [T; 3] {
         }
         return sums;
     }
-    let q = arc.q_squared(tau).sqrt();
+    let k = k2.sqrt();
+    let q = q_squared(tau).sqrt();
     let two = T::from_f64(2.0);
     let y = k * tau / (T::one() + q);
     // ∫dσ/Q = 2 artanh(y)/k; y < 1 unless p runs through the origin, which |u_R| ≤ 1 rules out.

@@ -228,7 +228,7 @@ pub enum TableError {
     #[error("the segments do not lead to the stated end: the table is inconsistent, compute it again")]
     End,
     /// The vehicle cannot deliver the thrust or rate that the table was planned with.
-    #[error("the table asks for more thrust or body rate than this vehicle has: plan with lower limits")]
+    #[error("the table asks for thrust or body rate that this vehicle does not have: plan within its limits")]
     BeyondVehicle,
 }
 
@@ -377,18 +377,14 @@ impl ManeuverTable {
     ///
     /// # Errors
     /// [`TableError::OtherVehicle`], [`TableError::BeyondVehicle`].
-    pub fn check_for(
-        &self,
-        vehicle: u32,
-        thrust_max_mps2: f32,
-        rate_max_radps: f32,
-    ) -> Result<(), TableError> {
+    pub fn check_for(&self, vehicle: u32, able: &PlanLimits) -> Result<(), TableError> {
         if self.vehicle != ANY_VEHICLE && self.vehicle != vehicle {
             return Err(TableError::OtherVehicle);
         }
         // Written so that a bound that is not a number refuses.
-        let within =
-            self.limits.thrust_max_mps2 <= thrust_max_mps2 && self.limits.rate_max_radps <= rate_max_radps;
+        let within = self.limits.thrust_min_mps2 >= able.thrust_min_mps2
+            && self.limits.thrust_max_mps2 <= able.thrust_max_mps2
+            && self.limits.rate_max_radps <= able.rate_max_radps;
         if within { Ok(()) } else { Err(TableError::BeyondVehicle) }
     }
 
@@ -437,6 +433,17 @@ impl ManeuverTable {
         }
         state
     }
+}
+
+/// What a vehicle can be planned with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanLimits {
+    /// Lowest collective thrust per mass, m/s²: rotors at idle.
+    pub thrust_min_mps2: f32,
+    /// Highest collective thrust per mass, m/s².
+    pub thrust_max_mps2: f32,
+    /// Highest body rate, rad/s.
+    pub rate_max_radps: f32,
 }
 
 /// What a table states besides its segments.

@@ -309,6 +309,16 @@ fn arming_is_refused_for_each_reason() {
     assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_SILENT.0))));
     bench.arm();
 
+    let mut bench = Bench::ready();
+    let same = bench.sample();
+    for _ in 0..402 {
+        bench.tick_with(Some(same), TICK_US, &[]);
+    }
+    bench.tick_with(Some(same), TICK_US, &[Request::Arm]);
+    let number = bench.number;
+    assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_FROZEN.0))));
+    bench.arm();
+
     // Turned in the hand at 1 rad/s now and then.
     let mut bench = Bench::ready();
     for i in 0..900 {
@@ -596,11 +606,31 @@ fn a_trigger_is_refused_unless_all_is_well() {
     bench.run(10);
     assert_eq!(bench.ask(trigger.clone()), Reply::Done);
     assert_eq!(bench.logic.state(), FlightState::Maneuver);
-    // Asked twice is harmless: it does not begin again.
+    assert_eq!(bench.refusal(trigger), Refusal::WrongState(FlightState::Maneuver));
+}
+
+/// The answer was lost and the host asks again under the same number: done, but not a second time. A new number is a
+/// new maneuver.
+#[test]
+fn a_repeated_trigger_fires_once() {
+    let mut bench = Bench::in_state(FlightState::Flying);
+    let number = bench.number + 1;
+    let again = |bench: &mut Bench| {
+        let rest = core::mem::replace(&mut bench.number, number - 1);
+        let reply = bench.trigger();
+        bench.number = rest;
+        reply
+    };
+    assert_eq!(bench.trigger(), Reply::Done);
     bench.run(99);
     let elapsed = bench.telemetry().maneuver_s;
-    assert_eq!(bench.ask(trigger), Reply::Done);
+    assert_eq!(again(&mut bench), Reply::Done);
     assert!(bench.telemetry().maneuver_s > elapsed);
+    bench.run_while(FlightState::Maneuver, 2000);
+    assert_eq!(again(&mut bench), Reply::Done);
+    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.trigger(), Reply::Done);
+    assert_eq!(bench.logic.state(), FlightState::Maneuver);
 }
 
 /// It runs to T: as many ticks as fit, each recorded with what the replay commands, then back to the host.
@@ -829,10 +859,10 @@ fn a_runaway_stops() {
     assert_eq!(bench.logic.state(), FlightState::Flying);
 }
 
-/// A vehicle that turns otherwise than planned gives the maneuver up and goes back to the host, if it is there.
+/// A vehicle that turns otherwise than planned gives the maneuver up: back to the host if it is there, motors off if not.
 #[test]
 fn off_plan_ends_the_maneuver() {
-    for (axis, error_radps, limit_s) in [(0, 5.0, 0.6 / 5.0), (1, 7.0, 1.2 / 7.0), (2, -5.0, 0.6 / 5.0)] {
+    for (axis, error_radps, limit_s) in [(0, 5.0, 0.6 / 5.0), (1, 7.0, 0.8 / 7.0), (2, -5.0, 0.6 / 5.0)] {
         for host in [true, false] {
             let mut bench = Bench::maneuver();
             if !host {
@@ -847,7 +877,7 @@ fn off_plan_ends_the_maneuver() {
                 ticks += 1;
                 assert!(ticks < 400);
             }
-            let want = if host { FlightState::Flying } else { FlightState::LinkLost };
+            let want = if host { FlightState::Flying } else { FlightState::Stopped };
             assert_eq!(bench.logic.state(), want, "axis {axis}");
             let took_s = ticks as f32 * 1.25e-3;
             assert!((took_s - limit_s).abs() < 0.03, "axis {axis}: {took_s} s for {limit_s} s");
@@ -1127,7 +1157,7 @@ fn live(moments: &[Moment]) -> (Vec<FlightState>, String) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn no_input_makes_it_panic_or_leave_its_range(moments in prop::collection::vec(moment(), 1..250)) {

@@ -138,7 +138,6 @@ fn refusals() -> Vec<Refusal> {
         Refusal::BatteryLow,
         Refusal::NotFinite,
         Refusal::NoRecord,
-        Refusal::Busy,
     ]
 }
 
@@ -242,6 +241,8 @@ fn survives<M: Serialize + DeserializeOwned + std::fmt::Debug>(
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
     #[test]
     fn messages_survive_any_cutting_of_the_stream(
         uplinks in prop::collection::vec(uplink(), 1..6),

@@ -111,12 +111,14 @@ impl Client {
                 Some(Ok(Downlink { message: Message::Telemetry(telemetry), .. })) => {
                     self.telemetry = Some(telemetry);
                 }
-                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. })) => {
-                    if self.pending.as_ref().is_some_and(|p| p.number == number) {
-                        answer = Some(reply);
-                        self.pending = None;
-                    }
+                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. }))
+                    if self.pending.as_ref().is_some_and(|p| p.number == number) =>
+                {
+                    answer = Some(reply);
+                    self.pending = None;
                 }
+                // The answer to a request that was repeated and answered meanwhile.
+                Some(Ok(Downlink { message: Message::Reply { .. }, .. })) => {}
             }
         }
         if let Some(Reply::Refused(refusal)) = answer {

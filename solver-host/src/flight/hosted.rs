@@ -176,6 +176,7 @@ impl HostedVehicle {
             velocity_mps: truth.velocity_mps,
             attitude_wxyz: truth.attitude,
             body_rates_radps: truth.rates_radps,
+            thrust_mps2: truth.thrust_mps2,
             planar: truth.planar(self.heading_rad),
         }
     }

@@ -23,9 +23,10 @@ use mintime_shared::messages::{
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
-/// The gate: largest tilt at which a maneuver is triggered, rad. A tilt δθ at the start moves the end of (5, 5) by
+/// The gate: largest tilt at which a maneuver is triggered, rad. The vehicle must stand on level ground before take-off:
+/// that is where the cameras learn what level is. A tilt δθ at the start moves the end of (5, 5) by
 /// 14.8 m/rad · δθ: 5 cm are 3.4 mrad.
 pub const GATE_TILT_RAD: f64 = 2.0e-3;
 /// The gate: largest speed at which a maneuver is triggered, m/s.
@@ -176,6 +177,10 @@ struct Flight<'a, C, W> {
     /// The plan and when it was triggered, while the vehicle flies it.
     playing: Option<(Plan, f64)>,
     now_s: f64,
+    /// Attitudes as the cameras saw them while the vehicle stood.
+    standing: Vec<UnitQuaternion<f64>>,
+    /// Undoes the tilt of the camera's markers on the vehicle.
+    level: UnitQuaternion<f64>,
 }
 
 /// Flies a table. The vehicle stands on the ground, level, below the start.
@@ -198,6 +203,8 @@ pub fn fly(
         reference: None,
         playing: None,
         now_s: 0.0,
+        standing: Vec::new(),
+        level: UnitQuaternion::identity(),
     };
     let result = flight.run(plan);
     if result.is_err() {
@@ -214,6 +221,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let identity = self.identify()?;
         let checksum = self.upload(&plan.table)?;
         self.arm()?;
+        self.level();
 
         self.enter(Phase::TakeOff);
         let heading_rad = f64::from(plan.table.heading_rad);
@@ -252,8 +260,12 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
 
     /// One pose: estimate, steer, and listen. Returns the estimate.
     fn step(&mut self) -> Result<Estimate, FlightError> {
-        let pose = self.connection.next_pose()?;
+        let mut pose = self.connection.next_pose()?;
         self.now_s = pose.arrived_s;
+        if self.reference.is_none() && self.calmness == Calmness::Grounded {
+            self.standing.push(pose.attitude);
+        }
+        pose.attitude *= self.level;
         if let Some((plan, since_s)) = &self.playing {
             let elapsed = (self.now_s - since_s) as f32;
             let (angle, impulse) = plan.integrals(elapsed, elapsed + 1e-3);
@@ -337,6 +349,24 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
                 Err(error) => return Err(error),
             }
         }
+    }
+
+    /// Takes the attitude in which the vehicle stood as level: markers are never glued on to the milliradian.
+    fn level(&mut self) {
+        let Some(first) = self.standing.first() else {
+            return;
+        };
+        let mean = self.standing.iter().map(|q| (first.inverse() * q).scaled_axis()).sum::<Vector3<f64>>()
+            / self.standing.len() as f64;
+        let stood = first * UnitQuaternion::from_scaled_axis(mean);
+        let up = stood * Vector3::z();
+        // The shortest turn that rights it; its heading stays as seen.
+        let righting = UnitQuaternion::rotation_between(&up, &Vector3::z()).unwrap_or_default();
+        self.level = stood.inverse() * righting * stood;
+        self.estimator = Estimator::new();
+        let tilt_rad = up.angle(&Vector3::z());
+        self.witness
+            .event(self.now_s, &format!("levelled: the markers are tilted by {:.2} mrad", tilt_rad * 1e3));
     }
 
     /// Moves the reference in a straight line at a speed.

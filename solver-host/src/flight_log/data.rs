@@ -97,6 +97,8 @@ pub struct Truth {
     pub attitude_wxyz: [f64; 4],
     /// Roll, pitch and yaw rate in the body frame, rad/s.
     pub body_rates_radps: [f64; 3],
+    /// Collective thrust per mass, m/s².
+    pub thrust_mps2: f64,
     /// The same motion in the maneuver's plane, SI units, θ unwrapped.
     pub planar: State<f64>,
 }

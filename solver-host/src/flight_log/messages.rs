@@ -134,6 +134,7 @@ fn sample_json(topic: Topic, sample: &FlightSample) -> serde_json::Result<Vec<u8
             velocity_mps: truth.velocity_mps.into(),
             attitude: truth.attitude_wxyz.into(),
             body_rates: truth.body_rates_radps.into(),
+            thrust_mps2: truth.thrust_mps2,
             planar: truth.planar,
         }),
     }
@@ -221,6 +222,7 @@ struct TruthMessage<'a> {
     velocity_mps: Vector,
     attitude: Quaternion,
     body_rates: Rates<f64>,
+    thrust_mps2: f64,
     planar: State<f64>,
 }
 

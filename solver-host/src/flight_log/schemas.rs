@@ -72,6 +72,7 @@ impl Topic {
                     ("velocity_mps", vector("World frame, m/s")),
                     ("attitude", quaternion("Body to world; body x forward, y left, z up")),
                     ("body_rates", rates("Body frame, rad/s")),
+                    ("thrust_mps2", number("Collective thrust per mass, m/s²")),
                     ("planar", state()),
                 ],
             ),

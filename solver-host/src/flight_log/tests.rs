@@ -19,6 +19,7 @@ fn small_flight() -> FlightLog {
         velocity_mps: [0.5, 0.0, -0.25],
         attitude_wxyz: [0.8, 0.0, 0.6, 0.0],
         body_rates_radps: [0.0, 3.0, 0.0],
+        thrust_mps2: 19.5,
         planar: state(x),
     };
     let sample = |i: u64| FlightSample {
@@ -30,7 +31,8 @@ fn small_flight() -> FlightLog {
         setpoint_thrust_mps2: 20.0,
         throttle: [0.1, 0.2, 0.3, 0.4],
         battery_v: 11.5,
-        mocap: (i % 2 == 0)
+        mocap: i
+            .is_multiple_of(2)
             .then_some(MocapSample { position_m: [1.0, 2.0, 3.0], attitude_wxyz: [1.0, 0.0, 0.0, 0.0] }),
     };
     FlightLog {
@@ -100,7 +102,7 @@ fn assert_fits(schema: &Value, value: &Value) {
             }
         }
         Some("array") => {
-            value.as_array().unwrap().iter().for_each(|item| assert_fits(&schema["items"], item))
+            value.as_array().unwrap().iter().for_each(|item| assert_fits(&schema["items"], item));
         }
         Some("number") => assert!(value.is_number() || value.is_null(), "{value} is no number"),
         Some("integer") => assert!(value.is_u64(), "{value} is no integer"),

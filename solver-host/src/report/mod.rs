@@ -70,7 +70,7 @@ impl Format {
 /// Checks that a report can be written to `path` (ending and folder), without creating it: call it before the flight.
 ///
 /// # Errors
-/// What [`write`] would return, as far as it can be known beforehand.
+/// What [`write()`] would return, as far as it can be known beforehand.
 pub fn check(path: &Path) -> Result<(), ReportError> {
     Format::of(path)?;
     Ok(check_writable(path)?)

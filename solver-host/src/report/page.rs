@@ -4,7 +4,8 @@ use super::data::ReportData;
 use super::layout::Layout;
 use super::path_panel::{self, Extent};
 use super::style::{
-    FLOWN, FONT, FRAME, INK, LIMIT, MARGIN, MUTED, ROW, SINGULAR, SWITCHING, TEXT_SIZE, TITLE_SIZE, WIDTH,
+    FLOWN, FONT, FRAME, GHOST, INK, LIMIT, MARGIN, MUTED, ROW, SINGULAR, SWITCHING, TEXT_SIZE, TITLE_SIZE,
+    WIDTH,
 };
 use super::svg::{Anchor, Rect, Svg, TextStyle, escape, fit, px, text_width};
 use super::view::View;
@@ -67,10 +68,11 @@ fn legend(svg: &mut Svg, data: &ReportData, view: &View, mut y: f64) -> f64 {
     };
     let mut keys = vec![(line(INK, 1.8, ""), "planned".to_owned())];
     if !view.flown.is_empty() {
+        keys[0].0.insert_str(0, &small(GHOST));
         keys.push((line(FLOWN, 3.0, ""), "flown".to_owned()));
     }
     let colour = if view.flown.is_empty() { INK } else { FLOWN };
-    let every = format!("vehicle every {} s, with its thrust", vehicle::interval_s(view.duration_s));
+    let every = format!("vehicle every {} s, with thrust", px(vehicle::interval_s(view.duration_s)));
     keys.push((small(colour), every));
     keys.push((line(LIMIT, 1.5, r#"stroke-dasharray="7 5""#), "limit".to_owned()));
     if !view.singular.is_empty() {

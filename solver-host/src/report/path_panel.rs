@@ -21,17 +21,23 @@ impl Extent {
         };
         let nothing = Range { low: 0.0, high: 0.0 };
         let (x, z) = ranges(&view.planned).or_else(|| ranges(&view.flown)).unwrap_or((nothing, nothing));
-        // A vehicle that flies off must not shrink the plan to a dot: it leaves the picture instead.
+        // A vehicle that flies off must not shrink the plan to a dot: it leaves the picture instead. What it does
+        // during the maneuver may take more room than what it does before and after.
         let span = x.span().max(z.span()).max(1e-3);
-        let around = |r: Range| Range { low: r.low - 0.4 * span, high: r.high + 0.4 * span };
-        let (flown_x, flown_z) = match ranges(&view.flown) {
-            Some((fx, fz)) => (Some(fx.within(around(x))), Some(fz.within(around(z)))),
-            None => (None, None),
-        };
+        let maneuver = |i: &&Instant| i.t_s >= 0.0 && i.t_s <= view.duration_s;
+        let during: Vec<Instant> = view.flown.iter().filter(maneuver).copied().collect();
+        let (mut all_x, mut all_z) = (x, z);
+        for (instants, beyond) in [(&during, span.max(0.1)), (&view.flown, 0.4 * span)] {
+            let around = |r: Range| Range { low: r.low - beyond, high: r.high + beyond };
+            if let Some((flown_x, flown_z)) = ranges(instants) {
+                all_x = all_x.and(Some(flown_x.within(around(x))));
+                all_z = all_z.and(Some(flown_z.within(around(z))));
+            }
+        }
         let least = if view.planned.is_empty() && view.flown.is_empty() { 1.0 } else { 1e-3 };
-        let longest = x.and(flown_x).span().max(z.and(flown_z).span()).max(least);
+        let longest = all_x.span().max(all_z.span()).max(least);
         // Neither side below a hundredth of the other: a vertical line has no width of its own.
-        Self { x: x.and(flown_x).at_least(0.01 * longest), z: z.and(flown_z).at_least(0.01 * longest) }
+        Self { x: all_x.at_least(0.01 * longest), z: all_z.at_least(0.01 * longest) }
     }
 
     pub(super) fn width(&self) -> f64 {
@@ -101,7 +107,7 @@ impl Plane {
     }
 }
 
-/// Draws the panel. Returns what its vehicles mean, for the legend.
+/// Draws the panel.
 pub(super) fn draw(svg: &mut Svg, view: &View, extent: &Extent, rect: Rect, thrust_max: f64) {
     let plane = Plane::new(extent, rect);
     axes(svg, &plane, extent.unit());
@@ -128,7 +134,7 @@ pub(super) fn draw(svg: &mut Svg, view: &View, extent: &Extent, rect: Rect, thru
         svg.open_group(&format!(r#"class="planned-vehicles" stroke="{GHOST}""#));
         symbol.draw(svg, &plane, &view.planned, &instants);
         svg.close_group();
-        svg.curve(&part(0.0, view.duration_s), &format!(r#"stroke="{FLOWN}" stroke-width="2.6""#));
+        svg.curve(&part(0.0, view.duration_s), &format!(r#"stroke="{FLOWN}" stroke-width="1.8""#));
         svg.open_group(&format!(r#"class="flown-vehicles" stroke="{FLOWN}""#));
         symbol.draw(svg, &plane, &view.flown, &instants);
         svg.close_group();

@@ -24,7 +24,11 @@ pub(super) fn panels(data: &ReportData, view: &View, unit: Unit) -> [TimePanel; 
 
 fn pitch(view: &View) -> TimePanel {
     let [planned, flown] = [&view.planned, &view.flown].map(|i| series(i, |i| Some(i.theta_deg)));
-    let range = values([&planned, &flown]).unwrap_or(Range { low: 0.0, high: 0.0 });
+    // A tumbling vehicle leaves the panel after half a turn too many.
+    let range = match (values([&planned]), values([&flown])) {
+        (Some(p), Some(f)) => p.and(Some(f.within(Range { low: p.low - 180.0, high: p.high + 180.0 }))),
+        (p, f) => p.or(f).unwrap_or(Range { low: 0.0, high: 0.0 }),
+    };
     TimePanel {
         class: "pitch",
         label: "pitch θ (°)".to_owned(),
@@ -114,7 +118,7 @@ fn position(view: &View, unit: Unit) -> TimePanel {
         // A vehicle that flies off leaves the panel, as it leaves the path's.
         (Some(planned), flown) => {
             let planned = planned.at_least(1e-3 * unit.per_m);
-            planned.and(flown.map(|f| f.within(planned.padded(0.4))))
+            planned.and(flown.map(|f| f.within(planned.padded(1.0))))
         }
         (None, Some(flown)) => flown,
         (None, None) => Range { low: 0.0, high: 1.0 },

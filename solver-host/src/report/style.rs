@@ -25,7 +25,7 @@ pub(super) const FRAME: &str = "#a9b4bf";
 /// Limits.
 pub(super) const LIMIT: &str = "#7b8896";
 /// Planned vehicles behind flown ones.
-pub(super) const GHOST: &str = "#aab6c3";
+pub(super) const GHOST: &str = "#b4bfca";
 /// Everything flown.
 pub(super) const FLOWN: &str = "#d55e00";
 /// Switching functions.

@@ -142,6 +142,7 @@ impl Svg {
 pub(super) fn px(value: f64) -> String {
     let value = if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 };
     let mut text = format!("{value:.2}");
+    // `{:.2}` always writes a point, so only decimals are cut.
     text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
     if text == "-0" { "0".to_owned() } else { text }
 }

@@ -158,21 +158,45 @@ fn strip(svg: &mut Svg, frame: &Frame, panel: &TimePanel) {
         let fill = if span.name == "s" { SINGULAR } else { CELLS[i % 2] };
         svg.rect(&cell, &format!(r##"fill="{fill}" stroke="#ffffff""##));
         let name = fit(&span.name, SMALL_SIZE, cell.width.max(text_width("max", SMALL_SIZE)));
-        if text_width(&name, SMALL_SIZE) + 3.0 <= cell.width {
+        if text_width(&name, SMALL_SIZE) + 1.0 <= cell.width {
             let at = (cell.x + 0.5 * cell.width, y + height - 4.0);
             svg.text(at, &name, TextStyle::new(SMALL_SIZE, MUTED).anchored(Anchor::Middle));
         }
     }
 }
 
-/// Names the curves at the right edge, far enough apart to be read.
+/// Names the curves at the right edge. Two that end together are named inside, where they are farthest apart.
 fn names(svg: &mut Svg, frame: &Frame, panel: &TimePanel) {
+    let style = TextStyle::new(TEXT_SIZE, INK);
     let mut places: Vec<(f64, &str)> = panel.names.iter().map(|(v, name)| (frame.y(*v), *name)).collect();
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut lowest = f64::NEG_INFINITY;
-    for (y, name) in places {
-        let y = y.clamp(frame.rect.y + 6.0, frame.rect.bottom() - 6.0).max(lowest + SMALL_SIZE);
-        lowest = y;
-        svg.text((frame.rect.right() + 7.0, y + 5.0), name, TextStyle::new(TEXT_SIZE, INK));
+    if let ([first, second], [(above, _), (below, _)]) = (panel.names.as_slice(), places.as_slice())
+        && below - above < SMALL_SIZE
+        && let Some((t, one, other)) = farthest_apart(panel)
+    {
+        let (x, y, y_other) = (frame.x(t), frame.y(one), frame.y(other));
+        let (above, below) = if y < y_other { (first.1, second.1) } else { (second.1, first.1) };
+        svg.text((x - 7.0, y.min(y_other) - 4.0), above, style.anchored(Anchor::End));
+        svg.text((x + 7.0, y.max(y_other) + 13.0), below, style);
+        return;
     }
+    for (y, name) in places {
+        let y = y.clamp(frame.rect.y + 6.0, frame.rect.bottom() - 6.0);
+        svg.text((frame.rect.right() + 7.0, y + 5.0), name, style);
+    }
+}
+
+/// When the two curves of a panel are farthest apart, and their values then.
+fn farthest_apart(panel: &TimePanel) -> Option<(f64, f64, f64)> {
+    [&panel.planned, &panel.flown]
+        .into_iter()
+        .filter_map(|curves| match curves.as_slice() {
+            [one, other] => one
+                .iter()
+                .zip(other)
+                .map(|((t, a), (_, b))| (*t, *a, *b))
+                .max_by(|p, q| (p.1 - p.2).abs().total_cmp(&(q.1 - q.2).abs())),
+            _ => None,
+        })
+        .next()
 }

@@ -7,7 +7,7 @@ use super::view::{Instant, View, at};
 /// Rotor tip to rotor tip of the vehicle the limits of the paper's Table I belong to, m.
 const SPAN_M: f64 = 0.5;
 /// Smallest and largest span on the page: below the tilt cannot be seen, above the drawings hide each other.
-const SPAN_PX: (f64, f64) = (24.0, 40.0);
+const SPAN_PX: (f64, f64) = (24.0, 38.0);
 /// Intervals between drawings to choose from, s.
 const INTERVALS_S: [f64; 8] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
 /// At most about this many drawings.
@@ -22,12 +22,9 @@ pub(super) struct Symbol {
 
 /// The definition the drawings refer to: span 1, hub at the origin, upright. Colour comes from outside.
 pub(super) const DEFINITION: &str = concat!(
-    r##"<g id="shape" fill="none" stroke-linecap="round"><path d="M-.36 0H.36M-.36 0V-.1M.36 0V-.1"/>"##,
-    r##"<path d="M-.53-.115H-.19M.19-.115H.53"/><path d="M-.09 0H.09"/></g>"##,
-    r##"<g id="casing" stroke="#ffffff" stroke-width=".17"><use href="#shape"/></g>"##,
-    r##"<g id="vehicle" fill="none" stroke-linecap="round"><path d="M-.36 0H.36" stroke-width=".055"/>"##,
-    r##"<path d="M-.36 0V-.1M.36 0V-.1" stroke-width=".04"/><path d="M-.53-.115H-.19M.19-.115H.53" "##,
-    r##"stroke-width=".05"/><path d="M-.09 0H.09" stroke-width=".13"/></g>"##,
+    r##"<g id="vehicle" fill="none" stroke-linecap="round"><path d="M-.36 0H.36" stroke-width=".075"/>"##,
+    r##"<path d="M-.36 0V-.1M.36 0V-.1" stroke-width=".04"/>"##,
+    r##"<path d="M-.54-.115H-.18M.18-.115H.54" stroke-width=".045"/></g>"##,
 );
 
 /// Time between drawings for a maneuver of this duration, s.
@@ -66,7 +63,7 @@ impl Symbol {
             let thrust = instant.thrust_mps2.map_or(0.0, |f| (f / self.thrust_max).clamp(0.0, 1.3));
             // θ turns the thrust axis from up towards +x: clockwise on the page, as SVG counts.
             svg.raw(&format!(
-                r##"<g transform="translate({} {}) rotate({}) scale({})"><use href="#casing"/><use href="#vehicle"/><path d="M0 0V{}" stroke-width=".04"/></g>"##,
+                r##"<g transform="translate({} {}) rotate({}) scale({})"><use href="#vehicle"/><path d="M0 0V{}" stroke-width=".03"/></g>"##,
                 px(x),
                 px(y),
                 px(instant.theta_deg % 360.0),

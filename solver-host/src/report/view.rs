@@ -54,6 +54,11 @@ fn usable(v: f64) -> bool {
     v.is_finite() && v.abs() <= LARGEST
 }
 
+/// Time for sorting, in whole ns: the two samples at a switch keep their order whatever their last bits.
+fn order(t_s: f64) -> f64 {
+    (t_s * 1e9).round()
+}
+
 impl Instant {
     fn new(
         t_s: f64,
@@ -108,7 +113,7 @@ impl View {
             .iter()
             .filter_map(|p| Instant::new(p.t_s, &p.state, p.rate_radps, p.thrust_mps2, [p.phi_r, p.phi_t]))
             .collect();
-        planned.sort_by(|a, b| a.t_s.total_cmp(&b.t_s));
+        planned.sort_by(|a, b| order(a.t_s).total_cmp(&order(b.t_s)));
         let mut flown: Vec<(Instant, &str)> = data
             .flown
             .iter()
@@ -118,7 +123,7 @@ impl View {
                 Some((instant, f.phase.as_str()))
             })
             .collect();
-        flown.sort_by(|a, b| a.0.t_s.total_cmp(&b.0.t_s));
+        flown.sort_by(|a, b| order(a.0.t_s).total_cmp(&order(b.0.t_s)));
 
         let inputs = spans(data);
         let planned_end = planned.last().map_or(0.0, |last| last.t_s);

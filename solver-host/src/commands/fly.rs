@@ -1,0 +1,172 @@
+//! `mintime fly`: from a request to a flown maneuver.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+use mintime::flight::Outcome;
+use mintime::flight_log::{check_writable, write_mcap, write_whole};
+use mintime::mission::{self, Mission, PlantChoice, Room, Source};
+use mintime::report;
+use mintime::solver::Turns;
+use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
+
+use super::numbers;
+use super::progress::Progress;
+use super::{recording, summary};
+
+/// Compute a minimum-time maneuver, upload it, hover, fly it with gyro feedback only, catch the vehicle, and tell what
+/// happened.
+///
+/// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
+/// anything is sent to a vehicle. The exit status is 0 only if it was flown to its end and the vehicle caught.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \
+                        mintime fly --to -3,4 --room -6,3,-2,8 --json"
+)]
+pub(crate) struct Fly {
+    /// Displacement to fly, m: along the plane and up
+    #[arg(long, value_name = "X,Z", value_parser = numbers::list::<2>, allow_hyphen_values = true,
+          required_unless_present = "table")]
+    to: Option<[f64; 2]>,
+    /// Fly this table file instead of computing a maneuver
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "thrust_per_mass", "max_body_rate", "turns"])]
+    table: Option<PathBuf>,
+    /// Write the maneuver table to this file
+    #[arg(long, value_name = "FILE")]
+    save_table: Option<PathBuf>,
+    /// Planned collective thrust per mass, m/s²
+    #[arg(long, value_name = "MIN,MAX", value_parser = numbers::list::<2>, allow_hyphen_values = true,
+          default_value = "1,20")]
+    thrust_per_mass: [f64; 2],
+    /// Planned pitch rate, rad/s
+    #[arg(long, value_name = "W", value_parser = numbers::finite, allow_hyphen_values = true,
+          default_value = "10")]
+    max_body_rate: f64,
+    /// Full turns on the way: a whole number, or `any` for the fastest
+    #[arg(long, value_name = "K|any", value_parser = numbers::turns, allow_hyphen_values = true,
+          default_value = "any")]
+    turns: Turns,
+    /// What flies: `hosted` runs the flight logic in this process
+    #[arg(long, value_enum, default_value = "hosted")]
+    vehicle: VehicleKind,
+    /// The simulated airframe: `ideal` (the planning model itself), `nominal` (lag, drag, noise, wrong scales), or a
+    /// TOML file (see docs/vehicles.md)
+    #[arg(long, value_name = "ideal|nominal|FILE.toml", default_value = "nominal")]
+    plant: String,
+    /// Seed of everything random in the simulation
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Free space around the start, m; ZMIN is the floor. The planned path and the distance to catch the vehicle must
+    /// fit
+    #[arg(long, value_name = "XMIN,XMAX,ZMIN,ZMAX", value_parser = numbers::list::<4>, allow_hyphen_values = true)]
+    room: Option<[f64; 4]>,
+    /// Where to write the flight log (MCAP; opens in Foxglove)
+    #[arg(long, value_name = "FILE.mcap", default_value = "flight.mcap")]
+    log: PathBuf,
+    /// Where to write the picture, SVG or PNG by its ending
+    #[arg(long, value_name = "FILE.svg|FILE.png", default_value = "flight.svg")]
+    report: PathBuf,
+    /// Print JSON instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// What can fly.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum VehicleKind {
+    /// The flight logic in this process, with a simulated airframe, in virtual time.
+    Hosted,
+}
+
+impl Fly {
+    pub(crate) fn run(self) -> ExitCode {
+        match self.fly() {
+            Ok(Outcome::Completed) => ExitCode::SUCCESS,
+            Ok(_) => ExitCode::FAILURE,
+            Err(error) => {
+                if self.json {
+                    println!("{}", serde_json::json!({ "error": error.to_string() }));
+                }
+                eprintln!("mintime: {error}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+
+    fn mission(&self) -> Result<Mission, Box<dyn Error>> {
+        let source = match (&self.table, self.to) {
+            (Some(path), _) => Source::Table(read_table(path)?),
+            (None, to) => {
+                let [x, z] = to.unwrap_or_default();
+                let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
+                let limits = Limits {
+                    thrust_min_mps2,
+                    thrust_max_mps2,
+                    rate_max_radps: self.max_body_rate,
+                    gravity_mps2: GRAVITY_MPS2,
+                };
+                Source::Solve { to: State::at_rest(x, z), limits, turns: self.turns }
+            }
+        };
+        let room = self.room.map(|[x0, x1, z0, z1]| Room { x_m: (x0, x1), z_m: (z0, z1) });
+        Ok(Mission { source, plant: PlantChoice::from_argument(&self.plant)?, seed: self.seed, room })
+    }
+
+    fn fly(&self) -> Result<Outcome, Box<dyn Error>> {
+        // Everything that can be refused is refused before anything flies.
+        check_writable(&self.log)?;
+        report::check(&self.report)?;
+        self.save_table.as_deref().map(check_writable).transpose()?;
+        let mission = self.mission()?;
+
+        let VehicleKind::Hosted = self.vehicle;
+        let mut progress = Progress::new();
+        progress.say("computing the maneuver");
+        let prepared =
+            mission::prepare(&mission.source, mission.room.as_ref()).inspect_err(|_| progress.finish())?;
+        if let Some(path) = &self.save_table {
+            write_table(path, &prepared.bytes)?;
+        }
+        let flown =
+            mission::fly_hosted(&mission, prepared, &mut progress).inspect_err(|_| progress.finish())?;
+
+        progress.say("writing the log and the picture");
+        write_mcap(&recording::log(&mission, &flown, std::mem::take(&mut progress.events)), &self.log)?;
+        report::write(&recording::report(&mission, &flown), &self.report)?;
+        progress.finish();
+        if self.json {
+            println!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report)));
+        } else {
+            println!("{}", summary::text(&flown, &[&self.log, &self.report]));
+        }
+        match flown.flight {
+            Ok(result) => Ok(result.outcome),
+            Err(error) => {
+                eprintln!("mintime: {error}");
+                Ok(Outcome::Aborted)
+            }
+        }
+    }
+}
+
+/// A table file is the table's bytes, nothing else. Reads a little more than any table has, so that a wrong file is
+/// refused by its length and not swallowed whole.
+fn read_table(path: &Path) -> Result<Vec<u8>, String> {
+    use std::io::Read as _;
+    let failed =
+        |e: std::io::Error| format!("{} cannot be read ({e}): give a readable table file", path.display());
+    let mut bytes = Vec::new();
+    std::fs::File::open(path).map_err(failed)?.take(4096).read_to_end(&mut bytes).map_err(failed)?;
+    Ok(bytes)
+}
+
+fn write_table(path: &Path, bytes: &[u8]) -> Result<(), mintime::flight_log::OutputError> {
+    use mintime::flight_log::OutputError;
+    use std::io::Write as _;
+    write_whole::<OutputError>(path, |file| {
+        file.write_all(bytes).map_err(|source| OutputError::Interrupted { path: path.to_owned(), source })
+    })
+}

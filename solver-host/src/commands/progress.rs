@@ -1,0 +1,58 @@
+//! A progress line on the terminal, and the flight's events for its log.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use mintime::flight::{Phase, Witness};
+use mintime::flight_log::{EventLevel, LogEvent};
+
+/// Shows what is going on and keeps what happened. The line goes to stderr, and only to a terminal.
+pub(crate) struct Progress {
+    line: ProgressBar,
+    pub(crate) events: Vec<LogEvent>,
+}
+
+impl Progress {
+    pub(crate) fn new() -> Self {
+        let line = ProgressBar::new_spinner();
+        line.set_style(
+            ProgressStyle::with_template("{spinner} {msg}")
+                .unwrap_or_else(|_| ProgressStyle::default_spinner()),
+        );
+        line.enable_steady_tick(Duration::from_millis(100));
+        Self { line, events: Vec::new() }
+    }
+
+    pub(crate) fn say(&self, text: impl Into<String>) {
+        self.line.set_message(text.into());
+    }
+
+    pub(crate) fn finish(&self) {
+        self.line.finish_and_clear();
+    }
+
+    fn note(&mut self, now_s: f64, text: &str) {
+        let time_ns = (now_s * 1e9).round() as u64;
+        self.events.push(LogEvent { time_ns, text: text.to_owned(), level: EventLevel::Info });
+    }
+}
+
+impl Witness for Progress {
+    fn phase(&mut self, phase: Phase, now_s: f64) {
+        let text = match phase {
+            Phase::Prepare => "identifying the vehicle, uploading the table",
+            Phase::TakeOff => "taking off",
+            Phase::Hover => "hovering, waiting for the gate",
+            Phase::Maneuver => "flying the maneuver",
+            Phase::Catch => "catching the vehicle",
+            Phase::Land => "landing",
+            Phase::Download => "downloading the flight record",
+        };
+        self.say(format!("{text} ({now_s:.1} s)"));
+        self.note(now_s, text);
+    }
+
+    fn event(&mut self, now_s: f64, text: &str) {
+        self.note(now_s, text);
+    }
+}

@@ -1,0 +1,180 @@
+//! What a flown mission leaves in files: the log and the picture.
+
+use mintime::flight_log::{FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
+use mintime::mission::{Flown, Mission, Prepared};
+use mintime::report::{FlownSample, ReportData};
+use mintime_shared::model::{RateMode, Segment, State, ThrustLevel};
+use mintime_shared::replay::Plan;
+
+/// Step of the planned samples, s.
+const PLAN_STEP_S: f64 = 1.25e-3;
+/// The picture shows this much of the flight before the maneuver, s, ...
+const BEFORE_S: f64 = 0.1;
+/// ... and after it.
+const AFTER_S: f64 = 0.4;
+
+/// The planned maneuver, sampled; from the extremal where there is one, else from the table.
+pub(crate) fn planned(prepared: &Prepared) -> Vec<PlannedSample> {
+    let plan = Plan::new(&prepared.table);
+    let duration_s = f64::from(plan.duration_s());
+    let steps = (duration_s / PLAN_STEP_S).ceil() as usize;
+    let sample = |i: usize| {
+        let t_s = (i as f64 * PLAN_STEP_S).min(duration_s);
+        match &prepared.solution {
+            Some(solution) => {
+                let e = &solution.extremal;
+                PlannedSample {
+                    t_s,
+                    state: e.state_at(t_s),
+                    rate_radps: e.rate_at(t_s),
+                    thrust_mps2: e.thrust_at(t_s),
+                    phi_r: e.phi_r_at(t_s),
+                    phi_t: e.phi_t_at(t_s),
+                }
+            }
+            None => {
+                let t = t_s as f32;
+                let (angle, impulse) = plan.integrals(t, t + 1.0e-4);
+                PlannedSample {
+                    t_s,
+                    state: plan.state_at(t).cast(),
+                    rate_radps: f64::from(angle) * 1.0e4,
+                    thrust_mps2: f64::from(impulse) * 1.0e4,
+                    phi_r: f64::NAN,
+                    phi_t: f64::NAN,
+                }
+            }
+        }
+    };
+    (0..=steps).map(sample).collect()
+}
+
+/// The flight log.
+pub(crate) fn log(mission: &Mission, flown: &Flown, events: Vec<LogEvent>) -> FlightLog {
+    let table = &flown.prepared.table;
+    let mut facts = Vec::new();
+    if let Ok(result) = &flown.flight {
+        facts.push(("outcome".to_owned(), result.outcome.name().to_owned()));
+        let [major, minor, patch] = result.identity.firmware_version;
+        facts.push(("firmware_version".to_owned(), format!("{major}.{minor}.{patch}")));
+    }
+    let mut t_us = 0_u32;
+    let record = flown.flight.as_ref().map_or(&[][..], |r| &r.record).iter().map(|tick| {
+        t_us = t_us.saturating_add(u32::from(tick.interval_us));
+        RecordSample {
+            t_us,
+            gyro_radps: tick.gyro_radps.unwrap_or([f32::NAN; 3]),
+            commanded_rate_radps: tick.rate_radps,
+            commanded_thrust_mps2: tick.thrust_mps2,
+            throttle: tick.throttle,
+        }
+    });
+    FlightLog {
+        header: LogHeader {
+            mintime_version: env!("CARGO_PKG_VERSION").to_owned(),
+            seed: mission.seed,
+            plant: mission.plant.name.clone(),
+            vehicle: "hosted".to_owned(),
+            from: table.start.cast(),
+            to: table.end.cast(),
+            duration_s: f64::from(table.duration_s()),
+            turns: flown.turns(),
+            table: flown.prepared.bytes.clone(),
+            maneuver_start_ns: flown.trace.start_ns,
+            facts,
+        },
+        planned: planned(&flown.prepared),
+        samples: flown.trace.samples.clone(),
+        events,
+        record: record.collect(),
+    }
+}
+
+/// What the picture shows.
+pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
+    let table = &flown.prepared.table;
+    let end = table.end;
+    let duration_s = f64::from(table.duration_s());
+    let mut facts = vec![
+        ("T".to_owned(), format!("{duration_s:.4} s")),
+        ("full turns".to_owned(), flown.turns().to_string()),
+        ("segments".to_owned(), table.segments().len().to_string()),
+        ("table".to_owned(), format!("{} bytes", flown.prepared.bytes.len())),
+        ("peak speed".to_owned(), format!("{:.2} m/s", flown.prepared.extent.peak_speed_mps)),
+    ];
+    if let Some(e) = flown.final_error() {
+        facts.push(("end error, position".to_owned(), format!("{:.3} m", e.x_m.hypot(e.z_m))));
+        facts.push(("end error, velocity".to_owned(), format!("{:.3} m/s", e.vx_mps.hypot(e.vz_mps))));
+        facts.push(("end error, pitch".to_owned(), format!("{:.4} rad", e.theta_rad)));
+    }
+    let outcome = flown.flight.as_ref().map_or("lost", |r| r.outcome.name());
+    ReportData {
+        title: format!(
+            "Minimum-time maneuver to x = {} m, z = {} m",
+            end.x - table.start.x,
+            end.z - table.start.z
+        ),
+        subtitle: vec![format!(
+            "T = {duration_s:.4} s; flown on the hosted vehicle, plant {}, seed {}: {outcome}",
+            mission.plant.name, mission.seed
+        )],
+        planned: planned(&flown.prepared),
+        flown: flown_samples(flown, duration_s),
+        segments: table
+            .segments()
+            .map(|s| Segment { inputs: s.inputs, duration: f64::from(s.duration) })
+            .collect(),
+        limits: table.limits.cast(),
+        facts,
+    }
+}
+
+/// The flight around the maneuver, in the plan's coordinates: time and position from the true start.
+fn flown_samples(flown: &Flown, duration_s: f64) -> Vec<FlownSample> {
+    let (Some(start_ns), Some(start)) = (flown.trace.start_ns, flown.trace.start.as_ref()) else {
+        return Vec::new();
+    };
+    let origin = start.planar(flown.heading_rad());
+    let turn = core::f64::consts::TAU;
+    let counted = (origin.theta / turn).round() * turn;
+    let from: State<f64> = flown.prepared.table.start.cast();
+    let since = |time_ns: u64| (time_ns as f64 - start_ns as f64) * 1e-9;
+    flown
+        .trace
+        .samples
+        .iter()
+        .filter(|s| (-BEFORE_S..=duration_s + AFTER_S).contains(&since(s.time_ns)))
+        .map(|s| {
+            let p = s.truth.planar;
+            FlownSample {
+                t_s: since(s.time_ns),
+                state: State {
+                    x: p.x - origin.x + from.x,
+                    z: p.z - origin.z + from.z,
+                    theta: p.theta - counted,
+                    ..p
+                },
+                rate_radps: s.truth.body_rates_radps[1],
+                thrust_mps2: s.truth.thrust_mps2,
+                phase: s.phase.clone(),
+            }
+        })
+        .collect()
+}
+
+/// The structure of a table in one line: `+max 0.051 s, singular max 0.724 s, ...`.
+pub(crate) fn structure(prepared: &Prepared) -> String {
+    let words = prepared.table.segments().map(|s| {
+        let rate = match s.inputs.rate {
+            RateMode::Plus => "+",
+            RateMode::Minus => "-",
+            RateMode::Singular => "s",
+        };
+        let thrust = match s.inputs.thrust {
+            ThrustLevel::Min => "min",
+            ThrustLevel::Max => "max",
+        };
+        format!("{rate}{thrust} {:.4}", s.duration)
+    });
+    words.collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,109 @@
+//! What `mintime fly` prints: a page for a person, or JSON.
+
+use std::path::Path;
+
+use mintime::mission::{Flown, PROTOCOL, PlanarError};
+use serde_json::{Value, json};
+
+use super::recording::structure;
+
+/// The JSON answer. Field names are part of the interface.
+pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> Value {
+    let (identity, outcome, reason) = match &flown.flight {
+        Ok(r) => (Some(r.identity), r.outcome.name(), r.reason.clone()),
+        Err(error) => (None, "lost", Some(error.to_string())),
+    };
+    let flight = flown.flight.as_ref().ok();
+    let path = |p: Option<&Path>| p.map(|p| p.display().to_string());
+    json!({
+        "maneuver": {
+            "duration_s": f64::from(flown.prepared.table.duration_s()),
+            "turns": flown.turns(),
+            "table_bytes": flown.prepared.bytes.len(),
+            "verified": flown.prepared.solution.as_ref().is_some_and(|s| s.certificate.verified),
+        },
+        "vehicle": {
+            "kind": "hosted",
+            "firmware_version": identity.map(|i| version(i.firmware_version)),
+            "protocol_version": PROTOCOL,
+        },
+        "flight": {
+            "outcome": outcome,
+            "abort_reason": reason,
+            "ticks": flight.map_or(0, |r| r.record.len()),
+            "missed_ticks": flight.map_or(0, |r| r.missed_ticks),
+            "flown_duration_s": flight.map_or(0.0, |r| r.flown_duration_s),
+            "start_error": flown.start_error(),
+            "final_error": flown.final_error(),
+        },
+        "virtual_time_s": flown.virtual_time_s,
+        "wall_time_s": flown.wall_time_s,
+        "log": path(log),
+        "report": path(report),
+    })
+}
+
+fn version([major, minor, patch]: [u8; 3]) -> String {
+    format!("{major}.{minor}.{patch}")
+}
+
+/// The page for a person.
+pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
+    let prepared = &flown.prepared;
+    let table = &prepared.table;
+    let extent = &prepared.extent;
+    let mut lines = vec![
+        format!(
+            "maneuver   x = {} m, z = {} m: T = {:.4} s, {} full turns, {}",
+            table.end.x - table.start.x,
+            table.end.z - table.start.z,
+            table.duration_s(),
+            flown.turns(),
+            if prepared.solution.is_some() {
+                "verified against the minimum principle"
+            } else {
+                "from a table file, not verified"
+            },
+        ),
+        format!("segments   {} (s)", structure(prepared)),
+        format!("table      {} bytes", prepared.bytes.len()),
+        format!(
+            "path       x {:.2}..{:.2} m, z {:.2}..{:.2} m, peak speed {:.2} m/s, {:.2} m more to catch",
+            extent.x_m.0,
+            extent.x_m.1,
+            extent.z_m.0,
+            extent.z_m.1,
+            extent.peak_speed_mps,
+            extent.catch_distance_m(),
+        ),
+    ];
+    match &flown.flight {
+        Ok(r) => {
+            lines.push(format!(
+                "vehicle    hosted, firmware {}, protocol {PROTOCOL}",
+                version(r.identity.firmware_version)
+            ));
+            lines.push(format!(
+                "flight     {}: {:.4} s flown, {} ticks, {} missed{}",
+                r.outcome.name(),
+                r.flown_duration_s,
+                r.record.len(),
+                r.missed_ticks,
+                r.reason.as_ref().map(|w| format!("; {w}")).unwrap_or_default(),
+            ));
+        }
+        Err(error) => lines.push(format!("flight     lost: {error}")),
+    }
+    lines.extend(flown.start_error().map(|e| format!("start      {}", error_line(&e))));
+    lines.extend(flown.final_error().map(|e| format!("end error  {}", error_line(&e))));
+    lines.push(format!("time       {:.1} s of flight in {:.2} s", flown.virtual_time_s, flown.wall_time_s));
+    lines.extend(files.iter().map(|f| format!("wrote      {}", f.display())));
+    lines.join("\n")
+}
+
+fn error_line(e: &PlanarError) -> String {
+    format!(
+        "x {:+.4} m, z {:+.4} m, vx {:+.4} m/s, vz {:+.4} m/s, pitch {:+.4} rad, pitch rate {:+.2} rad/s",
+        e.x_m, e.z_m, e.vx_mps, e.vz_mps, e.theta_rad, e.pitch_rate_radps
+    )
+}

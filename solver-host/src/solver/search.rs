@@ -1,0 +1,266 @@
+//! The search over starts: which continuations to run, in what order, and what to try when they fail.
+
+use core::f64::consts::TAU;
+
+use heapless::Vec;
+
+use super::newton::Newton;
+use super::path::{Bounds, Dead, Family, follow, settle};
+use super::problem::{Direction, Problem};
+use super::relax::{Relaxation, first_mu, relax};
+use super::starts::{Start, build, starts};
+use super::structure::Candidate;
+
+/// Evaluations one path may take; losers use the most.
+const PATH_BUDGET: u32 = 400;
+/// Starts tried in one pass; the winner is first in five of six problems.
+const PATHS: usize = 4;
+/// A start whose estimate exceeds the best T by this factor is not tried.
+const HOPELESS: f64 = 1.1;
+/// Two durations this close, relative, are the same maneuver or its mirror image.
+pub(crate) const TIE: f64 = 1e-9;
+/// Most windings kept.
+pub(crate) const MAX_WINDINGS: usize = 12;
+
+/// One winding's best maneuver.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    pub(crate) candidate: Candidate,
+    pub(crate) turns: i32,
+    /// Dimensionless T.
+    pub(crate) duration: f64,
+}
+
+/// State of one search.
+pub(crate) struct Search<'a> {
+    /// Winding 0.
+    problem: Problem,
+    turns: Option<i32>,
+    cancelled: &'a dyn Fn() -> bool,
+    pub(crate) newton: Newton,
+    /// Best of each winding.
+    pub(crate) found: Vec<Found, MAX_WINDINGS>,
+    /// A path that could have won died.
+    lost: bool,
+    was_cancelled: bool,
+}
+
+impl<'a> Search<'a> {
+    pub(crate) fn new(problem: Problem, turns: Option<i32>, cancelled: &'a dyn Fn() -> bool) -> Self {
+        Self {
+            problem,
+            turns,
+            cancelled,
+            newton: Newton::new(),
+            found: Vec::new(),
+            lost: false,
+            was_cancelled: false,
+        }
+    }
+
+    /// Runs everything. False where the caller cancelled.
+    pub(crate) fn run(&mut self) -> bool {
+        let problem = self.problem;
+        self.pass(&problem, false);
+        if self.unfinished() {
+            // The same problem backwards starts from other guesses.
+            self.lost = false;
+            self.pass(&problem, true);
+        }
+        if self.unfinished() {
+            self.lost = false;
+            self.detour();
+        }
+        self.add_mirror_images();
+        self.sort();
+        !self.was_cancelled
+    }
+
+    fn unfinished(&self) -> bool {
+        !self.was_cancelled && (self.found.is_empty() || self.lost)
+    }
+
+    fn best(&self) -> f64 {
+        self.found.iter().map(|f| f.duration).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The problem with a winding.
+    fn wound(&self, turns: i32) -> Problem {
+        let mut problem = self.problem;
+        problem.to[4] += f64::from(turns) * TAU;
+        problem
+    }
+
+    /// Continuation in the rate limit from the best starts, forwards or backwards in time.
+    fn pass(&mut self, base: &Problem, backwards: bool) {
+        let problem = if backwards { base.reversed() } else { *base };
+        let Some(relaxed) = relax(&problem) else { return };
+        let mu = first_mu(relaxed.duration);
+        // Backwards, θ runs from θ_T + 2πk to θ_0: the winding is moved to the end and changes sign.
+        let wanted = if backwards { self.turns.map(|k| -k) } else { self.turns };
+        let list = starts(&problem, &relaxed, wanted, mu);
+        for start in list.iter().take(PATHS) {
+            let best = self.best();
+            if self.was_cancelled || start.estimate > HOPELESS * best {
+                break;
+            }
+            if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best) {
+                let mut turns = start.turns;
+                if backwards {
+                    candidate.reverse(duration);
+                    turns = -turns;
+                }
+                self.add(candidate, turns, duration);
+            }
+        }
+    }
+
+    /// One continuation in the rate limit.
+    fn path(
+        &mut self,
+        problem: &Problem,
+        relaxed: &Relaxation,
+        start: &Start,
+        mu: f64,
+        slower_than: f64,
+    ) -> Option<(Candidate, f64)> {
+        let mut candidate = build(problem, relaxed, start, mu)?;
+        let mut wound = *problem;
+        wound.to[4] += f64::from(start.turns) * TAU;
+        let family = Family::rate_limit(&wound);
+        let bounds = Bounds { budget: PATH_BUDGET, slower_than, monotone: true, cancelled: self.cancelled };
+        match follow(&mut self.newton, &family, &mut candidate, mu, &bounds) {
+            Ok(()) => {
+                self.newton.polish(&wound, 1.0, &mut candidate)?;
+                let duration = candidate.duration(1.0);
+                Some((candidate, duration))
+            }
+            Err(Dead::Cancelled) => {
+                self.was_cancelled = true;
+                None
+            }
+            Err(Dead::Slower) => None,
+            Err(Dead::Stuck | Dead::Budget) => {
+                self.lost |= start.estimate < slower_than;
+                None
+            }
+        }
+    }
+
+    /// Solves displaced problems and carries their solutions over.
+    fn detour(&mut self) {
+        let scale = self.detour_length();
+        for (step, angle) in DETOURS {
+            if self.was_cancelled || (self.cancelled)() {
+                self.was_cancelled = true;
+                return;
+            }
+            let (s, c) = libm::sincos(angle);
+            let mut displaced = self.problem;
+            displaced.to[0] += scale * step * c;
+            displaced.to[2] += scale * step * s;
+            let mut search = Search::new(displaced, self.turns, self.cancelled);
+            search.newton.evaluations = self.newton.evaluations;
+            search.pass(&displaced, false);
+            if search.found.is_empty() {
+                search.pass(&displaced, true);
+            }
+            self.newton.evaluations = search.newton.evaluations;
+            self.was_cancelled |= search.was_cancelled;
+            for neighbour in &search.found {
+                if let Some((candidate, duration)) = self.carry(&displaced, neighbour) {
+                    self.add(candidate, neighbour.turns, duration);
+                }
+            }
+        }
+    }
+
+    /// A displacement that changes the problem without making it another one.
+    fn detour_length(&self) -> f64 {
+        let (f, g) = (&self.problem.from, &self.problem.to);
+        let distance = libm::hypot(g[0] - f[0], g[2] - f[2]);
+        // Half a unit of T's square is what a quarter turn moves; below that the displacement hardly matters.
+        distance.max(SHORT_DISTANCE)
+    }
+
+    /// Continuation in the data at the real rate limit, from a neighbour's solution to this problem.
+    fn carry(&mut self, from: &Problem, neighbour: &Found) -> Option<(Candidate, f64)> {
+        let mut base = *from;
+        base.to[4] += f64::from(neighbour.turns) * TAU;
+        let target = self.wound(neighbour.turns);
+        let family = Family { base, mu: 1.0, direction: Direction::between(&base, &target) };
+        let mut candidate = neighbour.candidate.clone();
+        let bounds = Bounds {
+            budget: PATH_BUDGET,
+            slower_than: f64::INFINITY,
+            monotone: false,
+            cancelled: self.cancelled,
+        };
+        follow(&mut self.newton, &family, &mut candidate, 0.0, &bounds).ok()?;
+        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, PATH_BUDGET)?;
+        self.newton.polish(&target, 1.0, &mut candidate)?;
+        let duration = candidate.duration(1.0);
+        Some((candidate, duration))
+    }
+
+    /// Keeps the best of each winding.
+    fn add(&mut self, candidate: Candidate, turns: i32, duration: f64) {
+        if !(duration.is_finite() && duration > 0.0) {
+            return;
+        }
+        let found = Found { candidate, turns, duration };
+        if let Some(same) = self.found.iter_mut().find(|f| f.turns == turns) {
+            if duration < same.duration * (1.0 - TIE) {
+                *same = found;
+            }
+        } else {
+            // A full list means twelve windings: the others cannot win any more.
+            let _ = self.found.push(found);
+        }
+    }
+
+    /// Where the problem is its own mirror image, so are its solutions.
+    fn add_mirror_images(&mut self) {
+        let Some(sum) = self.problem.mirror_sum() else { return };
+        for index in 0..self.found.len() {
+            let mut image = self.found[index].clone();
+            image.candidate.mirror();
+            image.turns = sum - image.turns;
+            if image.turns == self.found[index].turns {
+                // Of two mirror images with the same winding, the one that turns towards +θ first.
+                if self.found[index].candidate.pieces.first().is_some_and(|p| p.sign() < 0.0) {
+                    self.found[index] = image;
+                }
+            } else if self.turns.is_none_or(|k| k == image.turns) {
+                self.add(image.candidate, image.turns, image.duration);
+            }
+        }
+    }
+
+    /// Fastest first; of ties the smaller net turn, then the positive one.
+    fn sort(&mut self) {
+        let base = self.problem.turn();
+        let net = |f: &Found| base + f64::from(f.turns) * TAU;
+        self.found.sort_unstable_by(|a, b| {
+            if (a.duration - b.duration).abs() > TIE * a.duration.max(b.duration) {
+                return a.duration.total_cmp(&b.duration);
+            }
+            let (x, y) = (net(a), net(b));
+            if (x.abs() - y.abs()).abs() > 1e-9 { x.abs().total_cmp(&y.abs()) } else { y.total_cmp(&x) }
+        });
+    }
+}
+
+/// Displacements tried when a problem does not solve directly: relative length and direction.
+const DETOURS: [(f64, f64); 8] = [
+    (0.12, 0.4),
+    (0.12, 0.4 + 1.5 * core::f64::consts::PI),
+    (0.12, 0.4 + 0.5 * core::f64::consts::PI),
+    (0.12, 0.4 + core::f64::consts::PI),
+    (0.5, 0.9),
+    (0.5, 0.9 + core::f64::consts::PI),
+    (0.5, 0.9 + 0.5 * core::f64::consts::PI),
+    (0.5, 0.9 + 1.5 * core::f64::consts::PI),
+];
+/// Dimensionless displacement below which it is the turning that takes the time.
+const SHORT_DISTANCE: f64 = 5.0;

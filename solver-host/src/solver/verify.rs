@@ -1,0 +1,268 @@
+//! The independent check of an extremal: the augmented system (21) integrated numerically with a right-hand side of its
+//! own, and every law watched on a fine grid. Nothing here uses the closed forms that the solver works with.
+//!
+//! The integrator is a Taylor series method: eq. (21) is built from products, quotients and sine and cosine, so its
+//! Taylor coefficients follow from recurrences to any order, which is both faster and more accurate here than a
+//! Runge-Kutta rule. It restarts at every switch.
+
+use mintime_shared::model::{RateMode, ThrustLevel};
+use serde::{Deserialize, Serialize};
+
+use super::extremal::Extremal;
+use super::problem::Problem;
+use super::relax::relax;
+
+/// What the independent check found. Dimensionless numbers are those of eq. (3)-(7), H = 0 with the constant 1.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Certificate {
+    /// All of the below within tolerance.
+    pub verified: bool,
+    /// The maneuver begins or ends on a singular arc, or its multiplier is (nearly) abnormal, so that the costate is
+    /// not unique. It is an extremal all the same.
+    pub degenerate: bool,
+    /// Integrated minus demanded end state: m, m/s, m, m/s, rad.
+    pub final_state_error: [f64; 5],
+    /// Largest |H|, dimensionless.
+    pub hamiltonian: f64,
+    /// Worst violation of the control laws (16) and (20), dimensionless: how far a switching function is on the wrong
+    /// side of zero.
+    pub control_law: f64,
+    /// Least Kelley margin −Φ_T on the singular arcs, dimensionless, at least zero on an extremal; 0 without arcs.
+    pub kelley: f64,
+    /// Largest |u_R| on the singular arcs, dimensionless, at most 1.
+    pub singular_rate_max: f64,
+    /// Shortest segment, s.
+    pub min_segment_s: f64,
+    /// No maneuver between these states can be faster, s: infinite-rate relaxation and |Δθ|/ω_max.
+    pub lower_bound_s: f64,
+}
+
+/// Largest final-state error, relative to what the inputs can do in the time: u_max T² for positions, u_max T for
+/// velocities, 1 rad for the angle.
+pub const FINAL_STATE_TOLERANCE: f64 = 1e-10;
+/// Largest |H| and control law violation, relative to the size of the costate.
+pub const LAW_TOLERANCE: f64 = 1e-9;
+/// Excess of |u_R| over 1 on an arc that is rounding.
+pub const RATE_TOLERANCE: f64 = 1e-9;
+/// |c| beyond which the multiplier of the cost is as good as zero.
+const ABNORMAL: f64 = 1e4;
+
+/// Order of the Taylor series: at half a radian a step the first term left out is below 1e-19.
+const ORDER: usize = 16;
+/// Longest step, in units of 1/ω_max.
+const LONGEST_STEP: f64 = 0.5;
+/// Longest step on an arc, relative to the radius of convergence of eq. (15).
+const RADIUS_FRACTION: f64 = 0.125;
+/// Points per step at which the laws are checked.
+const GRID: usize = 8;
+
+/// Checks an extremal. Takes any [`Extremal`], from this solver or not; it does not fail, it reports.
+pub fn verify(extremal: &Extremal) -> Certificate {
+    let limits = &extremal.limits;
+    let (rate, gravity) = (limits.rate_max_radps, limits.gravity_mps2);
+    let (length_m, velocity_mps) = (gravity / (rate * rate), gravity / rate);
+    let start = [
+        extremal.from.x / length_m,
+        extremal.from.vx / velocity_mps,
+        extremal.from.z / length_m,
+        extremal.from.vz / velocity_mps,
+        extremal.from.theta,
+        extremal.phi_r0,
+    ];
+    let mut run = Integration {
+        c: extremal.costate.to_array(),
+        t: 0.0,
+        y: start,
+        hamiltonian: 0.0,
+        control_law: 0.0,
+        kelley: f64::INFINITY,
+        singular_rate: 0.0,
+    };
+    let mut shortest = f64::INFINITY;
+    let mut finite = true;
+    for segment in &extremal.segments {
+        let duration = segment.duration * rate;
+        shortest = shortest.min(segment.duration);
+        finite &= duration.is_finite();
+        let u_t = match segment.inputs.thrust {
+            ThrustLevel::Min => limits.thrust_min_mps2 / gravity,
+            ThrustLevel::Max => limits.thrust_max_mps2 / gravity,
+        };
+        if finite && duration > 0.0 {
+            run.segment(segment.inputs.rate, segment.inputs.thrust, u_t, duration);
+        }
+    }
+    let demanded = extremal.end();
+    let reached = [
+        run.y[0] * length_m,
+        run.y[1] * velocity_mps,
+        run.y[2] * length_m,
+        run.y[3] * velocity_mps,
+        run.y[4],
+    ];
+    let target = demanded.to_array();
+    let final_state_error: [f64; 5] = core::array::from_fn(|i| reached[i] - target[i]);
+
+    let t_s = extremal.duration_s();
+    let (speed, distance) = (limits.thrust_max_mps2 * t_s, limits.thrust_max_mps2 * t_s * t_s);
+    let size = [distance, speed, distance, speed, 1.0];
+    let costate_size = 1.0 + run.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    let arrives = final_state_error.iter().zip(size).all(|(e, s)| e.abs() <= FINAL_STATE_TOLERANCE * s);
+    let law = LAW_TOLERANCE * costate_size;
+    let kelley = if run.kelley.is_finite() { run.kelley } else { 0.0 };
+    let verified = finite
+        && !extremal.segments.is_empty()
+        && arrives
+        && run.hamiltonian <= law
+        && run.control_law <= law
+        && kelley >= -law
+        && run.singular_rate <= 1.0 + RATE_TOLERANCE
+        && shortest > 0.0;
+    let on_arc = |s: Option<&mintime_shared::model::Segment<f64>>| {
+        s.is_some_and(|s| s.inputs.rate == RateMode::Singular)
+    };
+    let degenerate =
+        on_arc(extremal.segments.first()) || on_arc(extremal.segments.last()) || costate_size > ABNORMAL;
+    let problem = Problem::new(extremal.from, extremal.to, limits, extremal.turns);
+    let relaxed_s = relax(&problem).map_or(0.0, |r| r.lower_bound / rate);
+    Certificate {
+        verified,
+        degenerate,
+        final_state_error,
+        hamiltonian: run.hamiltonian,
+        control_law: run.control_law,
+        kelley,
+        singular_rate_max: run.singular_rate,
+        min_segment_s: shortest,
+        lower_bound_s: relaxed_s.max(problem.turn().abs() / rate),
+    }
+}
+
+type Series = [f64; ORDER + 1];
+
+/// State of the integration, (x, ẋ, z, ż, θ, Φ_R), and the worst values seen.
+struct Integration {
+    c: [f64; 4],
+    t: f64,
+    y: [f64; 6],
+    hamiltonian: f64,
+    control_law: f64,
+    kelley: f64,
+    singular_rate: f64,
+}
+
+impl Integration {
+    fn segment(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, duration: f64) {
+        let end = self.t + duration;
+        let mut left = duration;
+        while left > 0.0 {
+            let longest = match mode {
+                RateMode::Singular => LONGEST_STEP.min(RADIUS_FRACTION * self.radius()),
+                _ => LONGEST_STEP,
+            };
+            // Equal steps over what is left, so that no tiny last one remains.
+            let h = left / libm::ceil(left / longest).max(1.0);
+            if !h.is_finite() || h <= 0.0 || longest < 1e-6 {
+                // p runs through zero: not an arc of any extremal.
+                self.singular_rate = f64::INFINITY;
+                return;
+            }
+            self.step(mode, level, u_t, h);
+            left -= h;
+            if left < 1e-12 * duration {
+                break;
+            }
+        }
+        self.t = end;
+    }
+
+    /// Radius of convergence of eq. (15) about the present time: the distance to its complex poles.
+    fn radius(&self) -> f64 {
+        let [c1, c2, c3, c4] = self.c;
+        let (p2, p4) = (c2 - c1 * self.t, c4 - c3 * self.t);
+        libm::sqrt((p2 * p2 + p4 * p4) / (c1 * c1 + c3 * c3).max(f64::MIN_POSITIVE))
+    }
+
+    fn step(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, h: f64) {
+        let [c1, c2, c3, c4] = self.c;
+        let t = self.t;
+        // u_R(t + τ) as a series in τ, eq. (16) and (15).
+        let mut rate: Series = [0.0; ORDER + 1];
+        match mode {
+            RateMode::Plus => rate[0] = 1.0,
+            RateMode::Minus => rate[0] = -1.0,
+            RateMode::Singular => {
+                let q2 = c1 * c1 + c3 * c3;
+                let q1 = 2.0 * q2 * t - 2.0 * (c1 * c2 + c3 * c4);
+                let q0 = q2 * t * t - 2.0 * (c1 * c2 + c3 * c4) * t + c2 * c2 + c4 * c4;
+                rate[0] = (c2 * c3 - c1 * c4) / q0;
+                rate[1] = -q1 * rate[0] / q0;
+                for k in 2..=ORDER {
+                    rate[k] = -(q1 * rate[k - 1] + q2 * rate[k - 2]) / q0;
+                }
+            }
+        }
+        let singular = mode == RateMode::Singular;
+        let mut sin: Series = [0.0; ORDER + 1];
+        let mut cos: Series = [0.0; ORDER + 1];
+        let mut y = [[0.0; ORDER + 1]; 6];
+        for (series, value) in y.iter_mut().zip(self.y) {
+            series[0] = value;
+        }
+        (sin[0], cos[0]) = libm::sincos(self.y[4]);
+        let (a, b) = (c1 * t - c2, c4 - c3 * t);
+        for k in 0..ORDER {
+            let inverse = 1.0 / (k + 1) as f64;
+            y[4][k + 1] = rate[k] * inverse;
+            let (mut s, mut c) = (rate[0] * cos[k], -rate[0] * sin[k]);
+            if singular {
+                for j in 1..=k {
+                    s += rate[j] * cos[k - j];
+                    c -= rate[j] * sin[k - j];
+                }
+            }
+            sin[k + 1] = s * inverse;
+            cos[k + 1] = c * inverse;
+            y[0][k + 1] = y[1][k] * inverse;
+            y[1][k + 1] = u_t * sin[k] * inverse;
+            y[2][k + 1] = y[3][k] * inverse;
+            y[3][k + 1] = (u_t * cos[k] - if k == 0 { 1.0 } else { 0.0 }) * inverse;
+            let drift = if k > 0 { c1 * cos[k - 1] - c3 * sin[k - 1] } else { 0.0 };
+            y[5][k + 1] = u_t * (a * cos[k] + b * sin[k] + drift) * inverse;
+        }
+        for i in 0..=GRID {
+            let tau = h * i as f64 / GRID as f64;
+            let [vx, vz, phi_r, s, c, u_r] =
+                [&y[1], &y[3], &y[5], &sin, &cos, &rate].map(|series| horner(series, tau));
+            let (p2, p4) = (c2 - c1 * (t + tau), c4 - c3 * (t + tau));
+            let phi_t = p2 * s + p4 * c;
+            let h_total = 1.0 + c1 * vx + u_t * phi_t + c3 * vz - p4 + phi_r * u_r;
+            self.hamiltonian = worst(self.hamiltonian, h_total.abs());
+            let rate_violation = match mode {
+                RateMode::Plus => phi_r,
+                RateMode::Minus => -phi_r,
+                RateMode::Singular => phi_r.abs(),
+            };
+            let thrust_violation = match level {
+                ThrustLevel::Max => phi_t,
+                ThrustLevel::Min => -phi_t,
+            };
+            self.control_law = worst(worst(self.control_law, rate_violation), thrust_violation);
+            if singular {
+                self.kelley = if -phi_t < self.kelley || phi_t.is_nan() { -phi_t } else { self.kelley };
+                self.singular_rate = worst(self.singular_rate, u_r.abs());
+            }
+        }
+        self.y = y.map(|series| horner(&series, h));
+        self.t += h;
+    }
+}
+
+/// The larger of two; NaN wins, so that nothing hides it.
+fn worst(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+fn horner(series: &Series, x: f64) -> f64 {
+    series.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
