@@ -309,6 +309,16 @@ fn arming_is_refused_for_each_reason() {
     assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_SILENT.0))));
     bench.arm();
 
+    let mut bench = Bench::ready();
+    let same = bench.sample();
+    for _ in 0..402 {
+        bench.tick_with(Some(same), TICK_US, &[]);
+    }
+    bench.tick_with(Some(same), TICK_US, &[Request::Arm]);
+    let number = bench.number;
+    assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_FROZEN.0))));
+    bench.arm();
+
     // Turned in the hand at 1 rad/s now and then.
     let mut bench = Bench::ready();
     for i in 0..900 {
@@ -596,21 +606,31 @@ fn a_trigger_is_refused_unless_all_is_well() {
     bench.run(10);
     assert_eq!(bench.ask(trigger.clone()), Reply::Done);
     assert_eq!(bench.logic.state(), FlightState::Maneuver);
-    let triggered = bench.number;
-    // Asked twice is harmless: it does not begin again.
+    assert_eq!(bench.refusal(trigger), Refusal::WrongState(FlightState::Maneuver));
+}
+
+/// The answer was lost and the host asks again under the same number: done, but not a second time. A new number is a
+/// new maneuver.
+#[test]
+fn a_repeated_trigger_fires_once() {
+    let mut bench = Bench::in_state(FlightState::Flying);
+    let number = bench.number + 1;
+    let again = |bench: &mut Bench| {
+        let rest = core::mem::replace(&mut bench.number, number - 1);
+        let reply = bench.trigger();
+        bench.number = rest;
+        reply
+    };
+    assert_eq!(bench.trigger(), Reply::Done);
     bench.run(99);
     let elapsed = bench.telemetry().maneuver_s;
-    bench.number = triggered - 1;
-    assert_eq!(bench.ask(trigger.clone()), Reply::Done, "the same request");
+    assert_eq!(again(&mut bench), Reply::Done);
     assert!(bench.telemetry().maneuver_s > elapsed);
-    assert_eq!(bench.refusal(trigger.clone()), Refusal::WrongState(FlightState::Maneuver), "another request");
-    // Nor does it begin again when the repetition comes after its end.
     bench.run_while(FlightState::Maneuver, 2000);
-    bench.number = triggered - 1;
-    assert_eq!(bench.ask(trigger), Reply::Done);
-    bench.run(5);
+    assert_eq!(again(&mut bench), Reply::Done);
     assert_eq!(bench.logic.state(), FlightState::Flying);
-    assert!(bench.telemetry().maneuver_complete);
+    assert_eq!(bench.trigger(), Reply::Done);
+    assert_eq!(bench.logic.state(), FlightState::Maneuver);
 }
 
 /// It runs to T: as many ticks as fit, each recorded with what the replay commands, then back to the host.
@@ -839,7 +859,7 @@ fn a_runaway_stops() {
     assert_eq!(bench.logic.state(), FlightState::Flying);
 }
 
-/// A vehicle that turns otherwise than planned gives the maneuver up and goes back to the host, if it is there.
+/// A vehicle that turns otherwise than planned gives the maneuver up: back to the host if it is there, motors off if not.
 #[test]
 fn off_plan_ends_the_maneuver() {
     for (axis, error_radps, limit_s) in [(0, 5.0, 0.6 / 5.0), (1, 7.0, 0.8 / 7.0), (2, -5.0, 0.6 / 5.0)] {
@@ -1137,7 +1157,7 @@ fn live(moments: &[Moment]) -> (Vec<FlightState>, String) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn no_input_makes_it_panic_or_leave_its_range(moments in prop::collection::vec(moment(), 1..250)) {
@@ -1225,9 +1245,11 @@ fn an_emergency_stop_finds_room() {
         send(&mut vehicle, Request::Arm);
         tick(&mut vehicle);
         assert_eq!(vehicle.state(), FlightState::Armed);
+        // A disarm behind it does not undo it.
         for i in 0..12 {
             send(&mut vehicle, if i == place { Request::EmergencyStop } else { Request::Status });
         }
+        send(&mut vehicle, Request::Disarm);
         assert_eq!(tick(&mut vehicle).throttle, None, "place {place}");
         assert_eq!(vehicle.state(), FlightState::Stopped);
     }

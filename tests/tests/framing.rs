@@ -241,6 +241,8 @@ fn survives<M: Serialize + DeserializeOwned + std::fmt::Debug>(
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
     #[test]
     fn messages_survive_any_cutting_of_the_stream(
         uplinks in prop::collection::vec(uplink(), 1..6),
@@ -442,6 +444,26 @@ fn what_does_not_fit_is_refused_not_cut() {
             }
         }
     }
+}
+
+/// A record chunk without a zero, with numbers of every length: one of them fills the last group of 254 bytes exactly.
+#[test]
+fn record_chunks_arrive_whatever_their_length() {
+    let mut exact = false;
+    for number in [1, 200, 20_000] {
+        for (first, total) in [(1, 1), (1, 200), (200, 200), (20_000, 20_000), (u32::MAX, u32::MAX)] {
+            for length in 0..=MAX_CHUNK_BYTES {
+                let bytes = heapless::Vec::from_slice(&vec![0x5a; length]).expect("it fits");
+                let reply = Reply::Record(RecordChunk { first, total, bytes });
+                let sent = Downlink { version: PROTOCOL_VERSION, message: Message::Reply { number, reply } };
+                let frame = frame_of(&sent);
+                let got: Received<Downlink> = receive(&mut Decoder::new(), &frame);
+                assert_eq!(got, [Ok(sent)], "{length} bytes");
+                exact |= frame.len() > 256 && frame[frame.len() - 256] == 0xff;
+            }
+        }
+    }
+    assert!(exact, "no chunk ended on a full group");
 }
 
 /// Each way in which a frame can be wrong has its name.

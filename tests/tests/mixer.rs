@@ -60,6 +60,8 @@ fn demand() -> impl Strategy<Value = (f32, [f32; 3])> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
     #[test]
     fn thrusts_are_finite_and_in_range_for_any_demand(
         thrust in prop::num::f32::ANY, acceleration in prop::array::uniform3(prop::num::f32::ANY),

@@ -14,11 +14,6 @@ use mintime_shared::table::{
 use mintime_tests::{ReferenceCase, reference_cases};
 use proptest::prelude::*;
 
-/// A vehicle with rotors that idle at 0.2 m/s².
-fn able(thrust_max_mps2: f32, rate_max_radps: f32) -> PlanLimits {
-    PlanLimits { thrust_min_mps2: 0.2, thrust_max_mps2, rate_max_radps }
-}
-
 fn bytes_of(table: &ManeuverTable) -> Vec<u8> {
     let mut buffer = [0; MAX_TABLE_BYTES];
     let length = table.encode(&mut buffer).expect("a table fits its buffer");
@@ -150,6 +145,8 @@ prop_compose! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
     #[test]
     fn a_valid_table_survives_the_wire(table in valid_table()) {
         let bytes = bytes_of(&table);
@@ -303,7 +300,7 @@ fn every_reference_case_survives_the_wire() {
         let table = case.table();
         assert_eq!(ManeuverTable::decode(&bytes_of(&table)).as_ref(), Ok(&table), "{}", case.name);
         assert!((f64::from(table.duration_s()) - case.duration_s).abs() < 1e-6, "{}", case.name);
-        assert_eq!(table.check_for(7, &able(20.0, 10.0)), Ok(()), "{}", case.name);
+        assert_eq!(table.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()), "{}", case.name);
     }
 }
 
@@ -396,24 +393,14 @@ fn every_refusal_has_its_reason() {
         (
             "another vehicle's",
             forged(&table, |b| b[at::VEHICLE].copy_from_slice(&8u32.to_le_bytes()))
-                .and_then(|t| t.check_for(7, &able(30.0, 15.0)).map(|()| t)),
+                .and_then(|t| t.check_for(7, &able(1.0, 30.0, 15.0)).map(|()| t)),
             TableError::OtherVehicle,
         ),
-        (
-            "too much thrust",
-            table.check_for(7, &able(19.9, 15.0)).map(|()| table.clone()),
-            TableError::BeyondVehicle,
-        ),
-        (
-            "too much rate",
-            table.check_for(7, &able(30.0, 9.9)).map(|()| table.clone()),
-            TableError::BeyondVehicle,
-        ),
-        (
-            "a NaN vehicle",
-            table.check_for(7, &able(nan, 15.0)).map(|()| table.clone()),
-            TableError::BeyondVehicle,
-        ),
+        ("too little thrust", fits(&table, able(1.01, 30.0, 15.0)), TableError::BeyondVehicle),
+        ("too much thrust", fits(&table, able(1.0, 19.9, 15.0)), TableError::BeyondVehicle),
+        ("too much rate", fits(&table, able(1.0, 30.0, 9.9)), TableError::BeyondVehicle),
+        ("a vehicle of NaN thrust", fits(&table, able(1.0, nan, 15.0)), TableError::BeyondVehicle),
+        ("a vehicle of NaN idle", fits(&table, able(nan, 30.0, 15.0)), TableError::BeyondVehicle),
     ];
     let mut seen = [false; 15];
     for (what, got, want) in cases {
@@ -440,9 +427,18 @@ fn every_refusal_has_its_reason() {
     }
     assert_eq!(seen, [true; 15]);
     // And the bounds themselves are inside.
-    assert_eq!(table.check_for(7, &able(20.0, 10.0)), Ok(()));
+    assert_eq!(table.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()));
     let own = forged(&table, |b| b[at::VEHICLE].copy_from_slice(&7u32.to_le_bytes())).expect("it decodes");
-    assert_eq!(own.check_for(7, &able(20.0, 10.0)), Ok(()));
+    assert_eq!(own.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()));
+}
+
+fn able(thrust_min_mps2: f32, thrust_max_mps2: f32, rate_max_radps: f32) -> PlanLimits {
+    PlanLimits { thrust_min_mps2, thrust_max_mps2, rate_max_radps }
+}
+
+/// The table, if such a vehicle may fly it.
+fn fits(table: &ManeuverTable, able: PlanLimits) -> Result<ManeuverTable, TableError> {
+    table.check_for(7, &able).map(|()| table.clone())
 }
 
 fn without_profile(table: &ManeuverTable) -> Result<ManeuverTable, TableError> {
