@@ -110,7 +110,7 @@ fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
         (&["fly", "--to", "5,5", "--thrust-per-mass", "1,9"], "cannot hover"),
         (&["fly", "--to", "5,5", "--thrust-per-mass", "20,1"], "below the maximum"),
         (&["fly", "--to", "5,5", "--thrust-per-mass", "-1,20"], "above zero"),
-        (&["fly", "--to", "5,5", "--thrust-per-mass", "1,80"], "more thrust"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "1,80"], "plan within its limits"),
         (&["fly", "--to", "5,5", "--max-body-rate", "0"], "above zero"),
         (&["fly", "--to", "5,5", "--max-body-rate", "-3"], "above zero"),
         (&["fly", "--to", "0,0"], "T = 0"),
@@ -134,5 +134,160 @@ fn the_help_names_every_option_with_its_unit() {
         ["--to", "--seed", "--vehicle", "--plant", "--room", "--log", "--report", "--json", "m/s²", "rad/s"]
     {
         assert!(text.contains(word), "{word} missing");
+    }
+}
+
+#[test]
+fn solve_json_has_the_fields_of_the_interface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = ["solve", "--from", "0,3,0,-1,0.5", "--to", "4,1", "--json", "-o", "m.table"];
+    let output = mintime(folder.path(), &arguments);
+    assert_success(&output);
+    let answer = json(&output);
+    let at = |path: &str| answer.pointer(path).unwrap_or_else(|| panic!("no {path}")).clone();
+    assert!((at("/duration_s").as_f64().expect("a number") - 0.920_986_637_638_280_3).abs() < 1e-9);
+    assert_eq!(at("/turns"), 0);
+    assert_eq!(at("/segments/1/rate"), "singular");
+    assert_eq!(at("/segments/5/thrust"), "min");
+    assert!(at("/segments/0/duration_s").is_f64());
+    assert_eq!(at("/costate").as_array().expect("a list").len(), 4);
+    for field in
+        ["hamiltonian", "control_law", "kelley", "singular_rate_max", "min_segment_s", "lower_bound_s"]
+    {
+        assert!(at(&format!("/certificate/{field}")).is_f64(), "{field}");
+    }
+    assert_eq!((at("/certificate/verified"), at("/certificate/degenerate")), (true.into(), false.into()));
+    assert_eq!(at("/certificate/final_state_error").as_array().expect("a list").len(), 5);
+    assert!(at("/alternatives").is_array());
+    assert!(at("/solve_time_s").is_f64());
+    let length = std::fs::metadata(folder.path().join("m.table")).expect("a table").len();
+    assert_eq!(at("/table_bytes"), length);
+}
+
+#[test]
+fn a_trajectory_begins_at_the_start_and_ends_at_the_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = ["solve", "--to", "-3,4", "--trajectory", "t.csv", "--sample-hz", "333"];
+    assert_success(&mintime(folder.path(), &arguments));
+    let text = std::fs::read_to_string(folder.path().join("t.csv")).expect("a file");
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("t_s,x_m,vx_mps,z_m,vz_mps,theta_rad,rate_radps,thrust_mps2,phi_r,phi_t"));
+    let rows: Vec<Vec<f64>> =
+        lines.map(|l| l.split(',').map(|v| v.parse().expect("a number")).collect()).collect();
+    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+    assert!(first[..6].iter().all(|v| *v == 0.0));
+    assert!((last[1] + 3.0).abs() < 1e-9 && (last[3] - 4.0).abs() < 1e-9, "{last:?}");
+    assert!(rows.windows(2).all(|w| w[0][0] < w[1][0]), "time runs forwards");
+    // The control laws (16) and (20), sample by sample.
+    for row in &rows {
+        let (rate, thrust, phi_r, phi_t) = (row[6], row[7], row[8], row[9]);
+        assert!(rate * phi_r <= 1e-9 && (thrust - 10.5) * phi_t <= 1e-9, "{row:?}");
+    }
+}
+
+#[test]
+fn a_batch_is_answered_line_by_line_in_order() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let line = |name: &str, to: &str, extra: &str| {
+        format!(
+            r#"{{"name":"{name}","from":[0,0,0,0,0],"to":{to},"thrust":[1,20],"rate":10,"gravity":9.81{extra}}}"#
+        )
+    };
+    let good = [
+        line("a", "[5,0,5,0,0]", ""),
+        line("b", "[0,0,4,0,0]", r#","turns":-1"#),
+        line("same", "[0,0,0,0,0]", ""),
+        line("c", "[3,0,0,0,0]", r#","turns":null"#),
+    ];
+    std::fs::write(folder.path().join("good.jsonl"), good.join("\n")).expect("writable");
+    let output = mintime(folder.path(), &["solve", "--batch", "good.jsonl", "-o", "answers.jsonl"]);
+    assert_success(&output);
+    let text = std::fs::read_to_string(folder.path().join("answers.jsonl")).expect("answers");
+    let answers: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    let names: Vec<_> = answers.iter().map(|a| a["name"].as_str().expect("a name")).collect();
+    assert_eq!(names, ["a", "b", "same", "c"]);
+    assert_eq!(answers[1]["turns"], -1);
+    assert_eq!(answers[2]["duration_s"], 0.0);
+    assert!((answers[3]["duration_s"].as_f64().expect("a number") - 0.898_702_917_9).abs() < 1e-9);
+
+    let bad = [
+        line("a", "[5,0,5,0,0]", ""),
+        "{".to_owned(),
+        line("n", "[5,0,5,0]", ""),
+        line("x", "[1,0,1,0,0]", r#","turn":1"#),
+    ];
+    std::fs::write(folder.path().join("bad.jsonl"), bad.join("\n")).expect("writable");
+    let output = mintime(folder.path(), &["solve", "--batch", "bad.jsonl"]);
+    assert!(!output.status.success());
+    let text = String::from_utf8(output.stdout).expect("text");
+    let answers: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    assert_eq!(answers.len(), 4);
+    assert!(answers[0]["duration_s"].is_f64());
+    for (i, name) in [(1, "line 2"), (2, "n"), (3, "x")] {
+        assert_eq!(answers[i]["name"], name);
+        assert!(
+            answers[i]["error"].as_str().expect("a sentence").contains("not a request"),
+            "{}",
+            answers[i]
+        );
+    }
+}
+
+#[test]
+fn tables_are_shown_and_verified() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (to, turns) in [("5,5", "any"), ("0,4", "any"), ("15,0", "any"), ("0,0", "1"), ("1,-2", "-1")] {
+        assert_success(&mintime(folder.path(), &["solve", "--to", to, "--turns", turns, "-o", "m.table"]));
+        let output = mintime(folder.path(), &["show", "m.table", "--json"]);
+        assert_success(&output);
+        assert_eq!(json(&output)["kind"], "extremal");
+        let output = mintime(folder.path(), &["verify", "m.table", "--json"]);
+        assert_success(&output);
+        assert_eq!(json(&output)["verified"], true, "{to}");
+    }
+    std::fs::write(folder.path().join("noise"), [7; 100]).expect("writable");
+    for command in ["show", "verify"] {
+        let output = mintime(folder.path(), &[command, "noise"]);
+        assert!(!output.status.success());
+        assert!(String::from_utf8_lossy(&output.stderr).contains("corrupt"));
+    }
+}
+
+#[test]
+fn sweeps_write_a_line_for_every_point() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lines = |arguments: &[&str]| {
+        let output = mintime(folder.path(), arguments);
+        assert_success(&output);
+        String::from_utf8(output.stdout).expect("text").lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let horizontal = lines(&["sweep", "horizontal"]);
+    assert_eq!(horizontal.len(), 151);
+    assert!(horizontal[150].starts_with("15,0,1.8958423"), "{}", horizontal[150]);
+    let vertical = lines(&["sweep", "vertical", "--range", "-1,1,0.5"]);
+    assert_eq!(vertical.len(), 6);
+    assert_eq!(vertical[3], "0,0,0,0,,");
+    assert_eq!(lines(&["sweep", "map", "--points", "7,5"]).len(), 36);
+    let text = refusal(&["sweep", "map", "--points", "0,5"]);
+    assert!(text.contains("--points"), "{text}");
+    let text = refusal(&["sweep", "horizontal", "--range", "1,2,-1"]);
+    assert!(text.contains("--range"), "{text}");
+}
+
+#[test]
+fn solve_refuses_bad_input_in_one_sentence() {
+    let cases: [(&[&str], &str); 8] = [
+        (&["solve", "--to", "1,2,3"], "numbers separated by commas"),
+        (&["solve", "--to", "nan,2"], "not finite"),
+        (&["solve", "--to", "5,5", "--gravity", "0"], "gravity"),
+        (&["solve", "--to", "5,5", "--thrust-per-mass", "5,4"], "below the maximum"),
+        (&["solve", "--to", "5,5", "--turns", "99"], "turns"),
+        (&["solve", "--to", "5,5", "--sample-hz", "0"], "above zero"),
+        (&["solve", "--to", "0,0", "-o", "x.table"], "no table"),
+        (&["solve", "--batch", "none.jsonl"], "none.jsonl"),
+    ];
+    for (arguments, expected) in cases {
+        let text = refusal(arguments);
+        assert!(text.contains(expected), "{arguments:?}: {text}");
     }
 }
