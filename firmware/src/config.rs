@@ -173,16 +173,16 @@ pub const RATE_GAIN_PER_S: [f32; 3] = [40.0, 40.0, 12.0];
 pub const RATE_RESPONSE_S: f32 = 0.012;
 /// Integral gain, 1/s²: the accumulated rate error is the angle by which the vehicle departs from its plan.
 pub const RATE_INTEGRAL_PER_S2: [f32; 3] = [400.0, 400.0, 40.0];
-/// Bound of the accumulated angle error, rad: what the integrator may ask for.
+/// Bound of the accumulated angle error, rad: what the integrator may ask for. Beyond every envelope, or a vehicle that
+/// left its plan would never be seen to.
 pub const INTEGRAL_BOUND_RAD: f32 = 1.0;
+const _: () = assert!(INTEGRAL_BOUND_RAD > ENVELOPE_PITCH_RAD && INTEGRAL_BOUND_RAD > ENVELOPE_LATERAL_RAD);
 /// Response time that rotor lag is compensated to, s. Shorter amplifies noise by lag/response.
 pub const ROTOR_RESPONSE_S: f32 = 0.010;
 /// Part of the rotors' range kept for yaw when roll and pitch ask for all of it.
 pub const YAW_RESERVE: f32 = 0.05;
 /// Longest time step the controllers believe, s: two periods; longer gaps are handled by the supervisor.
 pub const CONTROL_STEP_MAX_S: f32 = 2.5e-3;
-
-const _: () = assert!(ENVELOPE_PITCH_RAD < INTEGRAL_BOUND_RAD && ENVELOPE_LATERAL_RAD < INTEGRAL_BOUND_RAD);
 
 /// Interval of telemetry, µs.
 pub const TELEMETRY_US: u64 = TELEMETRY_PERIOD_US;

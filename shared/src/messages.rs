@@ -59,7 +59,7 @@ pub struct Downlink {
 }
 
 /// What a vehicle sends.
-#[expect(clippy::large_enum_variant, reason = "no allocator to box with; a message lives for one queue slot")]
+#[allow(clippy::large_enum_variant, reason = "no allocator to box with; a message lives for one queue slot")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Message {
     /// The answer to the request with this number.

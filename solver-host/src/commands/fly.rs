@@ -1,12 +1,12 @@
 //! `mintime fly`: from a request to a flown maneuver.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 use mintime::flight::Outcome;
-use mintime::flight_log::{check_writable, write_mcap, write_whole};
+use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source};
 use mintime::report;
 use mintime::solver::Turns;
@@ -14,13 +14,11 @@ use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
 use super::numbers;
 use super::progress::Progress;
+use super::solve::write_bytes;
+use super::table::read_bytes;
 use super::{recording, summary};
 
-/// Compute a minimum-time maneuver, upload it, hover, fly it with gyro feedback only, catch the vehicle, and tell what
-/// happened.
-///
-/// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
-/// anything is sent to a vehicle. The exit status is 0 only if it was flown to its end and the vehicle caught.
+/// Arguments of `mintime fly`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \
@@ -98,7 +96,7 @@ impl Fly {
 
     fn mission(&self) -> Result<Mission, Box<dyn Error>> {
         let source = match (&self.table, self.to) {
-            (Some(path), _) => Source::Table(read_table(path)?),
+            (Some(path), _) => Source::Table(read_bytes(path)?),
             (None, to) => {
                 let [x, z] = to.unwrap_or_default();
                 let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
@@ -128,7 +126,7 @@ impl Fly {
         let prepared =
             mission::prepare(&mission.source, mission.room.as_ref()).inspect_err(|_| progress.finish())?;
         if let Some(path) = &self.save_table {
-            write_table(path, &prepared.bytes)?;
+            write_bytes(path, &prepared.bytes)?;
         }
         let flown =
             mission::fly_hosted(&mission, prepared, &mut progress).inspect_err(|_| progress.finish())?;
@@ -150,23 +148,4 @@ impl Fly {
             }
         }
     }
-}
-
-/// A table file is the table's bytes, nothing else. Reads a little more than any table has, so that a wrong file is
-/// refused by its length and not swallowed whole.
-fn read_table(path: &Path) -> Result<Vec<u8>, String> {
-    use std::io::Read as _;
-    let failed =
-        |e: std::io::Error| format!("{} cannot be read ({e}): give a readable table file", path.display());
-    let mut bytes = Vec::new();
-    std::fs::File::open(path).map_err(failed)?.take(4096).read_to_end(&mut bytes).map_err(failed)?;
-    Ok(bytes)
-}
-
-fn write_table(path: &Path, bytes: &[u8]) -> Result<(), mintime::flight_log::OutputError> {
-    use mintime::flight_log::OutputError;
-    use std::io::Write as _;
-    write_whole::<OutputError>(path, |file| {
-        file.write_all(bytes).map_err(|source| OutputError::Interrupted { path: path.to_owned(), source })
-    })
 }

@@ -10,6 +10,8 @@ use super::structure::{Candidate, INSERTED_LENGTH, MAX_SEGMENTS, Piece, opposite
 
 /// Lengths below minus this are negative.
 const NEGATIVE: f64 = 1e-12;
+/// A bang up to this angle between two arcs does nothing, rad.
+const IDLE: f64 = 1e-7;
 /// Violations of the laws (dimensionless, relative to |p| or 1) up to this are rounding.
 const LAW_TOLERANCE: f64 = 1e-9;
 /// Relative excess of the rate limit on an arc that still counts as rounding.
@@ -209,9 +211,12 @@ impl Scan {
 fn most_negative(candidate: &Candidate) -> Option<usize> {
     let mut worst = None;
     let mut least = -NEGATIVE;
+    let arc = |i: usize| candidate.pieces.get(i).is_some_and(Piece::is_arc);
     for (i, piece) in candidate.pieces.iter().enumerate() {
-        if piece.length < least {
-            least = piece.length;
+        // Between two arcs a bang of no length may stand anywhere: the system is singular unless it goes.
+        let idle = piece.length < IDLE && i > 0 && arc(i - 1) && arc(i + 1);
+        if piece.length < least || idle {
+            least = piece.length.min(least);
             worst = Some(i);
         }
     }

@@ -41,7 +41,7 @@ pub use structure::MAX_SEGMENTS;
 pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, verify};
 
 use problem::Problem;
-use search::Search;
+use search::{Effort, Search};
 
 /// The minimum-time maneuver for a request.
 ///
@@ -60,7 +60,7 @@ pub fn solve(request: &Request) -> Result<Solution, SolveError> {
 /// Those of [`solve`], and [`SolveError::Cancelled`].
 pub fn solve_cancellable(request: &Request, cancel: &AtomicBool) -> Result<Solution, SolveError> {
     let clock = std::time::Instant::now();
-    solve_core(request, &|| cancel.load(Ordering::Relaxed)).map_err(|error| match error {
+    solve_core(request, Effort::NORMAL, &|| cancel.load(Ordering::Relaxed)).map_err(|error| match error {
         SolveError::NotVerified { feasible_s, lower_bound_s, evaluations, .. } => SolveError::NotVerified {
             feasible_s,
             lower_bound_s,
@@ -71,15 +71,28 @@ pub fn solve_cancellable(request: &Request, cancel: &AtomicBool) -> Result<Solut
     })
 }
 
+/// [`solve`] that also runs every start, forwards and backwards in time, and looks in from displaced problems: some
+/// thirty times slower, for the rare request whose fastest maneuver hides from [`solve`].
+///
+/// # Errors
+/// Those of [`solve_cancellable`].
+pub fn solve_thoroughly(request: &Request, cancel: &AtomicBool) -> Result<Solution, SolveError> {
+    solve_core(request, Effort::THOROUGH, &|| cancel.load(Ordering::Relaxed))
+}
+
 /// [`solve`] without a clock.
-fn solve_core(request: &Request, cancelled: &dyn Fn() -> bool) -> Result<Solution, SolveError> {
+fn solve_core(
+    request: &Request,
+    effort: Effort,
+    cancelled: &dyn Fn() -> bool,
+) -> Result<Solution, SolveError> {
     request.validate()?;
     let fixed = match request.turns {
         Turns::Any => None,
         Turns::Exactly(k) => Some(k),
     };
     let problem = Problem::new(request.from, request.to, &request.limits, 0);
-    let mut search = Search::new(problem, fixed, cancelled);
+    let mut search = Search::new(problem, fixed, effort, cancelled);
     let finished = search.run();
     let evaluations = search.newton.evaluations;
     if !finished {

@@ -1,10 +1,10 @@
 //! Continuation along a family of problems, with structure changes on the way: from the infinite-rate limit to the real
 //! rate limit, or from one set of data to another.
 
-use super::events::{Repair, repair};
+use super::events::{Repair, drop_piece, repair};
 use super::newton::Newton;
 use super::problem::{Direction, Problem};
-use super::structure::Candidate;
+use super::structure::{Candidate, MAX_SEGMENTS, MAX_UNKNOWNS};
 
 /// Structure changes within one step.
 const MOST_EVENTS: u32 = 10;
@@ -16,18 +16,24 @@ const GROW_FAIR: f64 = 1.5;
 /// Newton iterations up to which a step counts as easy, and as fair.
 const EASY: u32 = 4;
 const FAIR: u32 = 8;
+/// Failures in a row after which short pieces are deleted on trial.
+const DELETE_AFTER: u32 = 3;
+/// What counts as short, rad or 1/ω_max.
+const SHORT: f64 = 0.15;
 /// Step factor after a failure.
 const SHRINK: f64 = 0.4;
 /// A step this small relative to the whole way means that the path ends here.
 const SMALLEST_STEP: f64 = 1e-5;
 
 /// Why a path ended early.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Dead {
-    /// Newton or the repairs failed at every step length.
-    Stuck,
-    /// The evaluation budget is used up.
-    Budget,
+    /// The first solve failed.
+    NotBegun,
+    /// Newton or the repairs failed at every step length. T there.
+    Stuck { duration: f64 },
+    /// The evaluation budget is used up. T there.
+    Budget { duration: f64 },
     /// Its T exceeded that of a maneuver already found.
     Slower,
     /// The caller cancelled.
@@ -76,17 +82,18 @@ pub(crate) fn follow(
     let start_count = newton.evaluations;
     let spent = |newton: &Newton| newton.evaluations - start_count;
     let (problem, mu) = family.at(from);
-    newton.converge_damped(&problem, mu, candidate, &family.direction).ok_or(Dead::Stuck)?;
-    settle(newton, &problem, mu, candidate, &family.direction, bounds.budget).ok_or(Dead::Stuck)?;
+    newton.converge_damped(&problem, mu, candidate, &family.direction).ok_or(Dead::NotBegun)?;
+    settle(newton, &problem, mu, candidate, &family.direction, bounds.budget).ok_or(Dead::NotBegun)?;
     let mut lambda = from;
     let mut step = 1.5 * from.max(0.05 * (1.0 - from).min(0.2));
     let mut trial = candidate.clone();
+    let mut failures = 0;
     while lambda < 1.0 {
         if (bounds.cancelled)() {
             return Err(Dead::Cancelled);
         }
         if spent(newton) > bounds.budget {
-            return Err(Dead::Budget);
+            return Err(Dead::Budget { duration: candidate.duration(family.at(lambda).1) });
         }
         let next = if lambda + step > 0.999 { 1.0 } else { lambda + step };
         let (problem, mu_next) = family.at(next);
@@ -97,17 +104,33 @@ pub(crate) fn follow(
         let now = candidate.duration(mu_now);
         let tangent = newton.tangent;
         let before = newton.evaluations;
-        let settled = settle(newton, &problem, mu_next, &mut trial, &family.direction, bounds.budget);
-        let reached = trial.duration(mu_next);
-        let plausible = settled.is_some()
-            && (reached - predicted).abs() < MISS * now + 1e-9
-            && (!bounds.monotone || reached > now * (1.0 - 1e-9));
-        if plausible {
-            let events = settled.unwrap_or(0);
+        let plausible = |reached: f64| {
+            (reached - predicted).abs() < MISS * now + 1e-9
+                && (!bounds.monotone || reached > now * (1.0 - 1e-9))
+        };
+        let mut settled = settle(newton, &problem, mu_next, &mut trial, &family.direction, bounds.budget)
+            .filter(|_| plausible(trial.duration(mu_next)));
+        if settled.is_none() {
+            failures += 1;
+            if failures == DELETE_AFTER {
+                // Where a short piece vanishes like a square root, Newton does not see it vanish: try without it.
+                settled = vanishing(candidate, &tangent, next - lambda).find_map(|index| {
+                    trial.clone_from(candidate);
+                    trial.shift(&tangent, next - lambda);
+                    (drop_piece(&mut trial, index)
+                        && settle(newton, &problem, mu_next, &mut trial, &family.direction, bounds.budget)
+                            .is_some()
+                        && plausible(trial.duration(mu_next)))
+                    .then_some(1)
+                });
+            }
+        }
+        if let Some(events) = settled {
+            failures = 0;
             let iterations = newton.evaluations - before;
             core::mem::swap(candidate, &mut trial);
             lambda = next;
-            if reached > bounds.slower_than {
+            if candidate.duration(mu_next) > bounds.slower_than {
                 return Err(Dead::Slower);
             }
             if events == 0 && iterations <= EASY {
@@ -119,11 +142,24 @@ pub(crate) fn follow(
             newton.tangent = tangent;
             step = (next - lambda) * SHRINK;
             if step < SMALLEST_STEP * (1.0 - from) {
-                return Err(Dead::Stuck);
+                return Err(Dead::Stuck { duration: now });
             }
         }
     }
     Ok(())
+}
+
+/// Pieces that are short and shrinking along the tangent.
+fn vanishing(
+    candidate: &Candidate,
+    tangent: &[f64; MAX_UNKNOWNS],
+    step: f64,
+) -> impl Iterator<Item = usize> + use<> {
+    let mut short = [false; MAX_SEGMENTS];
+    for (i, (piece, slope)) in candidate.pieces.iter().zip(tangent).enumerate() {
+        short[i] = *slope < 0.0 && (piece.length < SHORT || piece.length + 4.0 * slope * step < 0.0);
+    }
+    (0..candidate.pieces.len()).filter(move |&i| short[i])
 }
 
 /// Solves at one parameter value, changing the structure until every law holds. The number of changes, or `None`.

@@ -11,12 +11,32 @@ use super::relax::{Relaxation, first_mu, relax};
 use super::starts::{Start, build, starts};
 use super::structure::Candidate;
 
-/// Evaluations one path may take; losers use the most.
-const PATH_BUDGET: u32 = 400;
-/// Starts tried in one pass; the winner is first in five of six problems.
-const PATHS: usize = 4;
-/// A start whose estimate exceeds the best T by this factor is not tried.
-const HOPELESS: f64 = 1.1;
+/// How hard to look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Effort {
+    /// Evaluations one path may take; losers use the most.
+    path_budget: u32,
+    /// Starts tried in one pass.
+    paths: usize,
+    /// A start whose estimate exceeds the best T by this factor is not tried.
+    hopeless: f64,
+    /// Run the backward pass and the detours even where nothing went wrong.
+    everything: bool,
+}
+
+impl Effort {
+    /// Enough for almost every problem: the winner is the first start in five of six.
+    pub(crate) const NORMAL: Self = Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false };
+    /// A second look at everything, some thirty times slower.
+    pub(crate) const THOROUGH: Self = Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true };
+}
+
+/// Best T over the T at which a lost path died, below which nothing is lost.
+const SETTLED: f64 = 1.02;
+/// T over its estimate beyond which a path is doubted.
+const DOUBTFUL: f64 = 1.08;
+/// The first μ, and smaller ones to try where the first solve fails.
+const FIRST_MU_FACTORS: [f64; 3] = [1.0, 0.2, 0.04];
 /// Two durations this close, relative, are the same maneuver or its mirror image.
 pub(crate) const TIE: f64 = 1e-9;
 /// Most windings kept.
@@ -33,6 +53,7 @@ pub(crate) struct Found {
 
 /// State of one search.
 pub(crate) struct Search<'a> {
+    effort: Effort,
     /// Winding 0.
     problem: Problem,
     turns: Option<i32>,
@@ -40,20 +61,29 @@ pub(crate) struct Search<'a> {
     pub(crate) newton: Newton,
     /// Best of each winding.
     pub(crate) found: Vec<Found, MAX_WINDINGS>,
-    /// A path that could have won died.
-    lost: bool,
+    /// Least T at which a path died that could have won: the true T may be anywhere above it.
+    lost_at: f64,
+    /// A path ended far from its estimate: it may have slipped to another branch.
+    doubtful: bool,
     was_cancelled: bool,
 }
 
 impl<'a> Search<'a> {
-    pub(crate) fn new(problem: Problem, turns: Option<i32>, cancelled: &'a dyn Fn() -> bool) -> Self {
+    pub(crate) fn new(
+        problem: Problem,
+        turns: Option<i32>,
+        effort: Effort,
+        cancelled: &'a dyn Fn() -> bool,
+    ) -> Self {
         Self {
+            effort,
             problem,
             turns,
             cancelled,
             newton: Newton::new(),
             found: Vec::new(),
-            lost: false,
+            lost_at: f64::INFINITY,
+            doubtful: false,
             was_cancelled: false,
         }
     }
@@ -62,13 +92,18 @@ impl<'a> Search<'a> {
     pub(crate) fn run(&mut self) -> bool {
         let problem = self.problem;
         self.pass(&problem, false);
-        if self.unfinished() {
+        if self.unfinished() || self.doubtful {
             // The same problem backwards starts from other guesses.
-            self.lost = false;
+            self.lost_at = f64::INFINITY;
             self.pass(&problem, true);
         }
         if self.unfinished() {
-            self.lost = false;
+            self.detour();
+        }
+        if !self.was_cancelled && self.found.is_empty() && !self.effort.everything {
+            self.effort = Effort::THOROUGH;
+            self.pass(&problem, false);
+            self.pass(&problem, true);
             self.detour();
         }
         self.add_mirror_images();
@@ -77,7 +112,13 @@ impl<'a> Search<'a> {
     }
 
     fn unfinished(&self) -> bool {
-        !self.was_cancelled && (self.found.is_empty() || self.lost)
+        !self.was_cancelled
+            && (self.found.is_empty() || self.lost_at < f64::INFINITY || self.effort.everything)
+    }
+
+    /// What was found is hardly slower than where a path died, so that path has nothing better to offer.
+    fn settled(&self) -> bool {
+        !self.effort.everything && self.lost_at < f64::INFINITY && self.best() < SETTLED * self.lost_at
     }
 
     fn best(&self) -> f64 {
@@ -99,9 +140,11 @@ impl<'a> Search<'a> {
         // Backwards, θ runs from θ_T + 2πk to θ_0: the winding is moved to the end and changes sign.
         let wanted = if backwards { self.turns.map(|k| -k) } else { self.turns };
         let list = starts(&problem, &relaxed, wanted, mu);
-        for start in list.iter().take(PATHS) {
+        for (i, start) in list.iter().enumerate() {
             let best = self.best();
-            if self.was_cancelled || start.estimate > HOPELESS * best {
+            // A few starts are tried for their own sake, more as long as they promise to be faster.
+            let enough = if i < self.effort.paths { self.effort.hopeless * best } else { best };
+            if self.was_cancelled || i >= 2 * self.effort.paths || start.estimate > enough {
                 break;
             }
             if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best) {
@@ -124,15 +167,29 @@ impl<'a> Search<'a> {
         mu: f64,
         slower_than: f64,
     ) -> Option<(Candidate, f64)> {
-        let mut candidate = build(problem, relaxed, start, mu)?;
         let mut wound = *problem;
         wound.to[4] += f64::from(start.turns) * TAU;
         let family = Family::rate_limit(&wound);
-        let bounds = Bounds { budget: PATH_BUDGET, slower_than, monotone: true, cancelled: self.cancelled };
-        match follow(&mut self.newton, &family, &mut candidate, mu, &bounds) {
-            Ok(()) => {
+        let bounds = Bounds {
+            budget: self.effort.path_budget,
+            slower_than,
+            monotone: true,
+            cancelled: self.cancelled,
+        };
+        let mut outcome = Err(Dead::NotBegun);
+        for mu in FIRST_MU_FACTORS.map(|factor| factor * mu) {
+            let Some(mut candidate) = build(problem, relaxed, start, mu) else { continue };
+            outcome =
+                follow(&mut self.newton, &family, &mut candidate, mu, &bounds).map(|()| candidate.clone());
+            if !matches!(outcome, Err(Dead::NotBegun)) {
+                break;
+            }
+        }
+        match outcome {
+            Ok(mut candidate) => {
                 self.newton.polish(&wound, 1.0, &mut candidate)?;
                 let duration = candidate.duration(1.0);
+                self.doubtful |= duration > DOUBTFUL * start.estimate;
                 Some((candidate, duration))
             }
             Err(Dead::Cancelled) => {
@@ -140,8 +197,14 @@ impl<'a> Search<'a> {
                 None
             }
             Err(Dead::Slower) => None,
-            Err(Dead::Stuck | Dead::Budget) => {
-                self.lost |= start.estimate < slower_than;
+            Err(dead) => {
+                let died_at = match dead {
+                    Dead::Stuck { duration } | Dead::Budget { duration } => duration,
+                    _ => start.estimate,
+                };
+                if start.estimate < slower_than {
+                    self.lost_at = self.lost_at.min(died_at);
+                }
                 None
             }
         }
@@ -151,6 +214,9 @@ impl<'a> Search<'a> {
     fn detour(&mut self) {
         let scale = self.detour_length();
         for (step, angle) in DETOURS {
+            if self.settled() {
+                return;
+            }
             if self.was_cancelled || (self.cancelled)() {
                 self.was_cancelled = true;
                 return;
@@ -159,7 +225,12 @@ impl<'a> Search<'a> {
             let mut displaced = self.problem;
             displaced.to[0] += scale * step * c;
             displaced.to[2] += scale * step * s;
-            let mut search = Search::new(displaced, self.turns, self.cancelled);
+            let mut search = Search::new(
+                displaced,
+                self.turns,
+                Effort { everything: false, ..self.effort },
+                self.cancelled,
+            );
             search.newton.evaluations = self.newton.evaluations;
             search.pass(&displaced, false);
             if search.found.is_empty() {
@@ -191,13 +262,13 @@ impl<'a> Search<'a> {
         let family = Family { base, mu: 1.0, direction: Direction::between(&base, &target) };
         let mut candidate = neighbour.candidate.clone();
         let bounds = Bounds {
-            budget: PATH_BUDGET,
+            budget: self.effort.path_budget,
             slower_than: f64::INFINITY,
             monotone: false,
             cancelled: self.cancelled,
         };
         follow(&mut self.newton, &family, &mut candidate, 0.0, &bounds).ok()?;
-        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, PATH_BUDGET)?;
+        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, self.effort.path_budget)?;
         self.newton.polish(&target, 1.0, &mut candidate)?;
         let duration = candidate.duration(1.0);
         Some((candidate, duration))

@@ -23,7 +23,7 @@ pub(crate) struct Start {
     pub(crate) estimate: f64,
     first_turn: f64,
     last_turn: f64,
-    middle: Option<Middle>,
+    extra_middle: i32,
 }
 
 /// Whole extra turns considered at the start, in the middle and at the end.
@@ -32,8 +32,8 @@ const EXTRA_TURNS: [i32; 5] = [0, -1, 1, -2, 2];
 const LARGEST_TURN: f64 = 2.0 * TAU + 1e-9;
 /// Samples a turn when reading off the thrust along a sweep.
 const SAMPLES: f64 = 48.0;
-/// Fraction of the rate limit an arc may reach at first; beyond it the arc is split by a bang.
-const ARC_RATE: f64 = 0.9;
+/// Fixed-point iterations for the time a bang in the middle takes.
+const WINDOW_ITERATIONS: usize = 12;
 
 /// Everything the starts share.
 struct Frame<'a> {
@@ -66,7 +66,6 @@ pub(crate) fn starts(
     let last = wrap(problem.to[4] - arrive);
     let nearest = nearest_time(&costate, t);
     let interior = nearest > 0.02 * t && nearest < 0.98 * t;
-    let split = arc.peak_rate(t) * mu > ARC_RATE;
 
     let norm = |time: f64| libm::hypot(costate.p2(time), costate.p4(time));
     let (norm_0, norm_t) = (norm(0.0), norm(t));
@@ -76,8 +75,7 @@ pub(crate) fn starts(
         if extra_mid != 0 && !interior {
             continue;
         }
-        let mid = (split || extra_mid != 0).then(|| frame.middle(&arc, nearest, extra_mid, split));
-        let mid_cost = mid.as_ref().map_or(0.0, |m| m.cost);
+        let mid_cost = frame.middle(extra_mid).map_or(0.0, |m| m.cost);
         for extra_first in EXTRA_TURNS {
             let first_turn = first + f64::from(extra_first) * TAU;
             let first_cost = norm_0 * frame.turn_cost(first_turn.abs());
@@ -99,8 +97,10 @@ pub(crate) fn starts(
                     list.pop();
                 }
                 // There is room: one was just dropped if there was none.
-                let _ =
-                    list.insert(position, Start { turns: k, estimate, first_turn, last_turn, middle: mid });
+                let _ = list.insert(
+                    position,
+                    Start { turns: k, estimate, first_turn, last_turn, extra_middle: extra_mid },
+                );
             }
         }
     }
@@ -110,7 +110,7 @@ pub(crate) fn starts(
 /// The iterate that a start stands for.
 pub(crate) fn build(problem: &Problem, relaxed: &Relaxation, start: &Start, mu: f64) -> Option<Candidate> {
     let frame = Frame::new(problem, relaxed, mu);
-    frame.build(relaxed, start.first_turn, start.middle.as_ref(), start.last_turn)
+    frame.build(relaxed, start.first_turn, start.extra_middle, start.last_turn)
 }
 
 /// When |p| is smallest on [0, T].
@@ -157,26 +157,30 @@ impl<'a> Frame<'a> {
         high * beta - pull - whole * (2.0 * high - 2.0 * low)
     }
 
-    fn middle(
-        &self,
-        arc: &mintime_shared::motion::Arc<f64>,
-        nearest: f64,
-        extra: i32,
-        split: bool,
-    ) -> Middle {
-        // Where the arc is too fast, the bang replaces that part: |u_R| = x/Q² reaches the limit at half width w.
+    /// The bang in the middle of the arc with a number of extra whole turns; none where the arc is slow enough.
+    fn middle(&self, extra: i32) -> Option<Middle> {
+        let arc = self.costate.arc(0.0);
+        if extra == 0 && arc.peak_rate(self.duration) * self.mu <= 1.0 {
+            return None;
+        }
+        let nearest = nearest_time(&self.costate, self.duration);
+        // The bang leaves the arc at nearest − w and meets it again at nearest + w; while it lasts the arc's direction
+        // turns too, and the two must agree: 2w = μ |turn(w)|. The iteration contracts from above.
+        let whole = f64::from(extra) * TAU;
         let peak = arc.advanced(nearest);
-        let limit = ARC_RATE / self.mu;
-        let half = if split && peak.rate != 0.0 {
-            libm::sqrt((peak.rate.abs() / limit - 1.0).max(0.0)) / peak.rate.abs()
-        } else {
-            0.0
+        let turn_within = |w: f64| {
+            let before = nearest.min(w);
+            let after = (self.duration - nearest).min(w);
+            -peak.angle_at(-before) + peak.angle_at(after) + whole
         };
+        let mut half = 0.5 * self.mu * (PI + whole.abs());
+        for _ in 0..WINDOW_ITERATIONS {
+            half = 0.5 * self.mu * turn_within(half).abs();
+        }
         let begin = (nearest - half).max(0.0);
         let end = (nearest + half).min(self.duration);
         let angle = self.costate.singular_angle(begin);
-        let replaced = arc.advanced(begin).angle_at(end - begin);
-        let turn = replaced + f64::from(extra) * TAU;
+        let turn = turn_within(half);
         // The price at the real rate limit: ∫(u_max|p| + u_T Φ_T) dt while θ turns through the middle.
         let steps = (turn.abs() / TAU * SAMPLES) as usize + 2;
         let mut cost = 0.0;
@@ -188,7 +192,7 @@ impl<'a> Frame<'a> {
             let norm = libm::hypot(self.costate.p2(time), self.costate.p4(time));
             cost += (self.problem.u_max * norm + u * phi_t) * turn.abs() / steps as f64;
         }
-        Middle { begin, end, turn, angle, cost }
+        Some(Middle { begin, end, turn, angle, cost })
     }
 
     /// Appends a bang of `turn` that starts at `angle` and at time `begin`, divided by the sign of Φ_T.
@@ -221,23 +225,19 @@ impl<'a> Frame<'a> {
         &self,
         relaxed: &Relaxation,
         first_turn: f64,
-        mid: Option<&Middle>,
+        extra_middle: i32,
         last_turn: f64,
     ) -> Option<Candidate> {
         let mut candidate = Candidate { pieces: Vec::new(), c: relaxed.c };
         let start = self.problem.from[4];
-        let half = 0.5 * self.mu;
         // The relaxed times are kept, so that p(t) points where the arcs do; the bangs shorten the arcs next to them.
         let (first_time, last_time) = (self.mu * first_turn.abs(), self.mu * last_turn.abs());
         let floor = 0.05 * self.duration * self.mu;
         let mut ok = self.sweep(&mut candidate, start, first_turn, 0.0);
-        if let Some(m) = mid {
-            let mid_half = half * m.turn.abs();
-            let centre = 0.5 * (m.begin + m.end);
-            let (begin, end) = (m.begin.min(centre - mid_half), m.end.max(centre + mid_half));
-            ok &= candidate.push(Piece::arc((begin - first_time).max(floor)));
-            ok &= self.sweep(&mut candidate, m.angle, m.turn, centre - mid_half);
-            ok &= candidate.push(Piece::arc((self.duration - last_time - end).max(floor)));
+        if let Some(m) = self.middle(extra_middle) {
+            ok &= candidate.push(Piece::arc((m.begin - first_time).max(floor)));
+            ok &= self.sweep(&mut candidate, m.angle, m.turn, m.begin);
+            ok &= candidate.push(Piece::arc((self.duration - last_time - m.end).max(floor)));
         } else {
             ok &= candidate.push(Piece::arc((self.duration - first_time - last_time).max(floor)));
         }
