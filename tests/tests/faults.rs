@@ -337,7 +337,6 @@ fn without_cameras_the_motors_stop_within_a_second_and_a_fifth() {
 
 /// Poses that repeat themselves are no poses: a host that steers by them drives the vehicle away.
 #[test]
-#[ignore = "the host does not notice frozen cameras yet"]
 fn frozen_cameras_stop_the_motors_within_a_second_and_a_fifth() {
     for (phase, delay) in [
         (Phase::TakeOff, 500),

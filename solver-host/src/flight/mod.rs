@@ -181,7 +181,14 @@ struct Flight<'a, C, W> {
     standing: Vec<UnitQuaternion<f64>>,
     /// Undoes the tilt of the camera's markers on the vehicle.
     level: UnitQuaternion<f64>,
+    /// The last pose that differed from the one before.
+    fresh_pose: Option<Pose>,
 }
+
+/// The very same pose for this long, in the air, is not a measurement, s: cameras have noise and vehicles move.
+const FROZEN_POSE_S: f64 = 0.2;
+/// Times an emergency stop is sent.
+const STOP_TRIES: u32 = 20;
 
 /// Flies a table. The vehicle stands on the ground, level, below the start.
 ///
@@ -205,11 +212,11 @@ pub fn fly(
         now_s: 0.0,
         standing: Vec::new(),
         level: UnitQuaternion::identity(),
+        fresh_pose: None,
     };
     let result = flight.run(plan);
     if result.is_err() {
-        // Whatever went wrong: motors off. The vehicle's own timeouts stand behind this.
-        let _ = flight.call("stopping the motors", Request::EmergencyStop);
+        flight.stop();
     }
     result
 }
@@ -262,6 +269,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
     fn step(&mut self) -> Result<Estimate, FlightError> {
         let mut pose = self.connection.next_pose()?;
         self.now_s = pose.arrived_s;
+        self.check_fresh(&pose)?;
         if self.reference.is_none() && self.calmness == Calmness::Grounded {
             self.standing.push(pose.attitude);
         }
@@ -284,6 +292,33 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
         }
         Ok(estimate)
+    }
+
+    /// A pose that never changes while the vehicle flies is none.
+    fn check_fresh(&mut self, pose: &Pose) -> Result<(), ConnectionError> {
+        let same = |last: &Pose| last.position_m == pose.position_m && last.attitude == pose.attitude;
+        match &self.fresh_pose {
+            Some(last) if same(last) && self.reference.is_some() && self.calmness != Calmness::Grounded => {
+                if pose.arrived_s - last.arrived_s > FROZEN_POSE_S {
+                    return Err(ConnectionError::FrozenPose);
+                }
+            }
+            _ => self.fresh_pose = Some(*pose),
+        }
+        Ok(())
+    }
+
+    /// Whatever went wrong: motors off. Needs no working cameras; the vehicle's own timeouts stand behind this.
+    fn stop(&mut self) {
+        for _ in 0..STOP_TRIES {
+            let asked = self.client.ask(self.connection, Request::EmergencyStop, self.now_s);
+            // Time passes in here, with a pose or without.
+            let _ = self.connection.next_pose();
+            let answer = self.client.poll(self.connection, self.now_s);
+            if asked.is_ok() && matches!(answer, Ok(Some(_))) {
+                return;
+            }
+        }
     }
 
     /// Asks and steers on until the answer comes.
