@@ -71,10 +71,10 @@ proptest! {
         }
     }
 
-    /// What the rotors can give is given exactly.
+    /// What the rotors can give, less the reserve for yaw, is given exactly.
     #[test]
     fn demands_within_reach_are_met(
-        thrust in 1f32..44.0, direction in prop::array::uniform3(-1f32..1.0), part in 0f64..0.98,
+        thrust in 1f32..44.0, direction in prop::array::uniform3(-1f32..1.0), part in 0f64..0.95,
     ) {
         let collective = f64::from(thrust * VEHICLE.mass_kg) / 4.0;
         let room = (collective - low()).min(high() - collective).max(0.0) * part;
