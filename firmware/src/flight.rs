@@ -77,8 +77,8 @@ pub struct FlightLogic<M> {
     /// What was commanded over the tick that just ended.
     commanded: Setpoint,
     runaway_ticks: u32,
-    /// Number of the request that triggered the last maneuver since arming.
-    pub(crate) last_trigger: Option<u16>,
+    /// Number of the request that triggered the last maneuver since arming, and when.
+    pub(crate) last_trigger: Option<(u16, u64)>,
     next_telemetry_us: u64,
     ticks: u32,
     late_ticks: u32,
@@ -143,7 +143,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         if let Some(old) = self.supervisor.step(conditions) {
             self.enter(old, input.now_us);
         }
-        self.answer(answers, outbox);
+        self.answer(answers, input.now_us, outbox);
 
         let setpoint = self.choose_setpoint(input.now_us);
         let output = self.control(setpoint);

@@ -7,7 +7,7 @@ use mintime_shared::messages::{
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableError};
 
-use crate::config::{FIRMWARE_VERSION, INBOX, VehicleConfig};
+use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_TRIGGER_US, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox};
 use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
@@ -115,7 +115,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Answers the requests that waited for the supervisor.
-    pub(crate) fn answer(&self, pending: Pending, outbox: &mut Outbox) {
+    pub(crate) fn answer(&mut self, pending: Pending, now_us: u64, outbox: &mut Outbox) {
         for (number, wanted) in pending {
             let state = self.state();
             let reply =
@@ -158,11 +158,10 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Err(refusal) => Err(refusal),
             },
             // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
-            Request::Trigger { .. } if self.last_trigger == Some(number) => Ok(Reply::Done),
+            Request::Trigger { .. } if self.has_triggered(number, now_us) => Ok(Reply::Done),
             Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
                 Ok(()) => {
                     *conditions |= Conditions::TRIGGER;
-                    self.last_trigger = Some(number);
                     return Outcome::After(FlightState::Maneuver);
                 }
                 Err(refusal) => Err(refusal),
@@ -179,6 +178,12 @@ impl<M: RecordMemory> FlightLogic<M> {
             self.host_setpoint = Some((setpoint, now_us));
         }
         Outcome::Silent
+    }
+
+    /// Whether a maneuver was triggered by a request of this number, not long ago: numbers wrap.
+    fn has_triggered(&self, number: u16, now_us: u64) -> bool {
+        self.last_trigger
+            .is_some_and(|(n, at)| n == number && now_us.saturating_sub(at) <= REPEATED_TRIGGER_US)
     }
 
     fn may_arm(&self) -> Result<(), Refusal> {
