@@ -118,6 +118,9 @@ impl<M: RecordMemory> FlightLogic<M> {
     pub(crate) fn answer(&mut self, pending: Pending, now_us: u64, outbox: &mut Outbox) {
         for (number, wanted) in pending {
             let state = self.state();
+            if wanted == FlightState::Maneuver && state == wanted {
+                self.last_trigger = Some((number, now_us));
+            }
             let reply =
                 if state == wanted { Reply::Done } else { Reply::Refused(Refusal::WrongState(state)) };
             send(outbox, number, reply);
