@@ -19,6 +19,9 @@ const RATE_TOLERANCE: f64 = 1e-9;
 /// Largest angle between samples of the switching functions, rad.
 const SAMPLE_ANGLE: f64 = 0.12;
 
+/// Further samples in the first and last step, as parts of it.
+const NEAR_THE_ENDS: [f64; 2] = [1.0 / 512.0, 1.0 / 16.0];
+
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Repair {
@@ -118,7 +121,8 @@ pub(crate) fn trace(problem: &Problem, mu: f64, candidate: &Candidate) -> [Node;
     nodes
 }
 
-/// h and Φ_T along a bang, ends included.
+/// h and Φ_T along a bang, ends included. Next to the ends the samples stand closer: where a switch should have become
+/// an arc, h dips below zero right beside it, for less than a whole step.
 fn sample(
     problem: &Problem,
     mu: f64,
@@ -132,10 +136,7 @@ fn sample(
     let sign = piece.sign();
     let thrust = problem.thrust(piece.inputs.thrust);
     let (s0, c0) = libm::sincos(node.state[4]);
-    let (ds, dc) = libm::sincos(sign * step);
-    let (mut s, mut c) = (s0, c0);
-    for i in 0..=count {
-        let a = step * i as f64;
+    let mut look = |a: f64, (s, c): (f64, f64)| {
         let t = node.t + mu * a;
         // ∫(sin θ, cos θ) dt at constant rate.
         let vx = node.state[1] + thrust * mu * sign * (c0 - c);
@@ -143,7 +144,20 @@ fn sample(
         let (p2, p4) = (costate.p2(t), costate.p4(t));
         let phi_t = p2 * s + p4 * c;
         each(Sample { a, h: 1.0 + costate.c1 * vx + costate.c3 * vz + thrust * phi_t - p4, phi_t });
+    };
+    let direction = |a: f64| libm::sincos(node.state[4] + sign * a);
+    look(0.0, (s0, c0));
+    for a in NEAR_THE_ENDS.map(|part| part * step) {
+        look(a, direction(a));
+    }
+    let (ds, dc) = libm::sincos(sign * step);
+    let (mut s, mut c) = (s0, c0);
+    for i in 1..count {
         (s, c) = (s * dc + c * ds, c * dc - s * ds);
+        look(step * i as f64, (s, c));
+    }
+    for a in NEAR_THE_ENDS.map(|part| piece.length - part * step).into_iter().rev().chain([piece.length]) {
+        look(a, direction(a));
     }
 }
 
