@@ -130,7 +130,13 @@ impl Extremal {
         self.costate.rate_free_hamiltonian(t, &scale.to_dimensionless(state), thrust)
     }
 
-    fn advance(&self, segment: &Segment<f64>, begin_s: f64, begin: State<f64>, tau_s: f64) -> State<f64> {
+    pub(crate) fn advance(
+        &self,
+        segment: &Segment<f64>,
+        begin_s: f64,
+        begin: State<f64>,
+        tau_s: f64,
+    ) -> State<f64> {
         let limit = self.limits.rate_max_radps;
         let turn = match segment.inputs.rate {
             RateMode::Plus => bang(limit, tau_s),

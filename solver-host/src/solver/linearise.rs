@@ -10,7 +10,7 @@ use mintime_shared::motion::{Arc, Turn, bang, singular};
 
 use super::dual::Dual;
 use super::problem::{Direction, Problem};
-use super::structure::{Candidate, MAX_SEGMENTS, MAX_UNKNOWNS, Piece};
+use super::structure::{Candidate, MAX_UNKNOWNS, Piece};
 
 /// Columns: unknowns, then the direction of the data, then the residual.
 const WIDTH: usize = MAX_UNKNOWNS + 2;
@@ -26,13 +26,11 @@ pub(crate) struct Node {
     pub(crate) state: [f64; 5],
 }
 
-/// Residual and Jacobian of the square system at one iterate, and the states between its pieces.
+/// Residual and Jacobian of the square system at one iterate.
 #[derive(Clone, Debug)]
 pub(crate) struct Linearised {
     size: usize,
     rows: [Row; MAX_UNKNOWNS],
-    /// Start of each piece, and the end of the last.
-    nodes: [Node; MAX_SEGMENTS + 1],
     /// Weighted largest residual.
     pub(crate) norm: f64,
 }
@@ -45,12 +43,7 @@ struct Columns {
 
 impl Linearised {
     pub(crate) fn new() -> Self {
-        Self {
-            size: 0,
-            rows: [[0.0; WIDTH]; MAX_UNKNOWNS],
-            nodes: [Node::default(); MAX_SEGMENTS + 1],
-            norm: f64::INFINITY,
-        }
+        Self { size: 0, rows: [[0.0; WIDTH]; MAX_UNKNOWNS], norm: f64::INFINITY }
     }
 
     /// Evaluates the system for `candidate` at the inverse rate limit `mu`.
@@ -82,7 +75,6 @@ impl Linearised {
         let mut next_row = 5;
         let mut norm = 0.0_f64;
         for (i, piece) in pieces.iter().enumerate() {
-            self.nodes[i] = node;
             let (sin, cos) = libm::sincos(node.state[4]);
             if i > 0 {
                 let before = pieces[i - 1];
@@ -174,7 +166,6 @@ impl Linearised {
                 columns.own(i, &node, thrust, sign, mu);
             }
         }
-        self.nodes[n] = node;
         if next_row != unknowns {
             return false;
         }

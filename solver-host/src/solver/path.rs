@@ -4,7 +4,7 @@
 use super::events::{Repair, drop_piece, repair};
 use super::newton::Newton;
 use super::problem::{Direction, Problem};
-use super::structure::{Candidate, MAX_SEGMENTS, MAX_UNKNOWNS};
+use super::structure::{Candidate, MAX_SEGMENTS, MAX_UNKNOWNS, Piece};
 
 /// Structure changes within one step.
 const MOST_EVENTS: u32 = 10;
@@ -100,8 +100,9 @@ pub(crate) fn follow(
         let (_, mu_now) = family.at(lambda);
         trial.clone_from(candidate);
         trial.shift(&newton.tangent, next - lambda);
-        let predicted = trial.duration(mu_next);
         let now = candidate.duration(mu_now);
+        let predicted =
+            now + (next - lambda) * slope(candidate, &newton.tangent, mu_now, family.direction.mu);
         let tangent = newton.tangent;
         let before = newton.evaluations;
         let plausible = |reached: f64| {
@@ -147,6 +148,14 @@ pub(crate) fn follow(
         }
     }
     Ok(())
+}
+
+/// dT/dλ along the tangent.
+fn slope(candidate: &Candidate, tangent: &[f64; MAX_UNKNOWNS], mu: f64, mu_slope: f64) -> f64 {
+    let of = |(piece, slope): (&Piece, &f64)| {
+        if piece.is_arc() { *slope } else { slope * mu + piece.length * mu_slope }
+    };
+    candidate.pieces.iter().zip(tangent).map(of).sum()
 }
 
 /// Pieces that are short and shrinking along the tangent.

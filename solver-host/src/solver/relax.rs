@@ -12,6 +12,7 @@
 use mintime_shared::motion::inverse_moments;
 use mintime_shared::real::Real;
 
+use super::dense::gauss;
 use super::dual::Dual;
 use super::problem::Problem;
 
@@ -262,28 +263,4 @@ fn constants(problem: &Problem, p: &mut [f64; 4], t: f64, push: f64) -> [f64; 4]
     // h = −1 after scaling. It is negative where the maneuver's duration is positive; guard against rounding at zero.
     let scale = if h < -1e-6 * magnitude { -1.0 / h } else { 1.0 / (problem.u_max * magnitude).max(1e-12) };
     c.map(|v| v * scale)
-}
-
-/// Gaussian elimination with partial pivoting on a 5 by 5 system.
-fn gauss(m: &mut [[f64; 6]; 5]) -> Option<[f64; 5]> {
-    for k in 0..5 {
-        let pivot = (k..5).max_by(|&a, &b| m[a][k].abs().total_cmp(&m[b][k].abs()))?;
-        m.swap(k, pivot);
-        let top = m[k];
-        if top[k].is_nan() || top[k].abs() < 1e-13 {
-            return None;
-        }
-        for row in m.iter_mut().skip(k + 1) {
-            let factor = row[k] / top[k];
-            for j in k..6 {
-                row[j] -= factor * top[j];
-            }
-        }
-    }
-    let mut x = [0.0; 5];
-    for k in (0..5).rev() {
-        let sum: f64 = (k + 1..5).map(|j| m[k][j] * x[j]).sum();
-        x[k] = (m[k][5] - sum) / m[k][k];
-    }
-    Some(x)
 }

@@ -1,6 +1,6 @@
 //! The search over starts: which continuations to run, in what order, and what to try when they fail.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use heapless::Vec;
 
@@ -8,7 +8,8 @@ use super::newton::Newton;
 use super::path::{Bounds, Dead, Family, follow, settle};
 use super::problem::{Direction, Problem};
 use super::relax::{Relaxation, first_mu, relax};
-use super::starts::{Start, build, starts};
+use super::rotation::rotation_limited;
+use super::starts::{LARGEST_TURN, Start, build, starts};
 use super::structure::Candidate;
 
 /// How hard to look.
@@ -39,6 +40,10 @@ const DOUBTFUL: f64 = 1.08;
 const FIRST_MU_FACTORS: [f64; 3] = [1.0, 0.2, 0.04];
 /// Two durations this close, relative, are the same maneuver or its mirror image.
 pub(crate) const TIE: f64 = 1e-9;
+/// Most lost paths remembered.
+const MAX_LOST: usize = 8;
+/// Windings looked at for maneuvers at their bound; start and end angles further apart need them to be asked for.
+const WINDINGS: i32 = 4;
 /// Most windings kept.
 pub(crate) const MAX_WINDINGS: usize = 12;
 
@@ -61,8 +66,8 @@ pub(crate) struct Search<'a> {
     pub(crate) newton: Newton,
     /// Best of each winding.
     pub(crate) found: Vec<Found, MAX_WINDINGS>,
-    /// Least T at which a path died that could have won: the true T may be anywhere above it.
-    lost_at: f64,
+    /// Paths that died but could have won, as winding and T where they died: the true T may be anywhere above it.
+    lost: Vec<(i32, f64), MAX_LOST>,
     /// A path ended far from its estimate: it may have slipped to another branch.
     doubtful: bool,
     was_cancelled: bool,
@@ -82,7 +87,7 @@ impl<'a> Search<'a> {
             cancelled,
             newton: Newton::new(),
             found: Vec::new(),
-            lost_at: f64::INFINITY,
+            lost: Vec::new(),
             doubtful: false,
             was_cancelled: false,
         }
@@ -92,9 +97,10 @@ impl<'a> Search<'a> {
     pub(crate) fn run(&mut self) -> bool {
         let problem = self.problem;
         self.pass(&problem, false);
+        self.rotation_limited();
         if self.unfinished() || self.doubtful {
             // The same problem backwards starts from other guesses.
-            self.lost_at = f64::INFINITY;
+            self.lost.clear();
             self.pass(&problem, true);
         }
         if self.unfinished() {
@@ -113,12 +119,40 @@ impl<'a> Search<'a> {
 
     fn unfinished(&self) -> bool {
         !self.was_cancelled
-            && (self.found.is_empty() || self.lost_at < f64::INFINITY || self.effort.everything)
+            && (self.found.is_empty() || self.lost_at() < f64::INFINITY || self.effort.everything)
+    }
+
+    /// Least T at which a path died, of the windings that are not known to be at their bound.
+    fn lost_at(&self) -> f64 {
+        let open = |turns: i32| {
+            self.found
+                .iter()
+                .all(|f| f.turns != turns || f.duration > (1.0 + TIE) * self.wound(turns).turn().abs())
+        };
+        self.lost.iter().filter(|(turns, _)| open(*turns)).map(|(_, t)| *t).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Maneuvers at the bound |Δθ|/ω_max of their winding.
+    fn rotation_limited(&mut self) {
+        let relaxed = relax(&self.problem).map_or(0.0, |r| r.lower_bound);
+        let windings = match self.turns {
+            Some(k) => k..=k,
+            None => -WINDINGS..=WINDINGS,
+        };
+        for turns in windings {
+            let problem = self.wound(turns);
+            let bound = problem.turn().abs();
+            let promising =
+                bound >= relaxed && bound < self.best() && (self.turns.is_some() || bound <= LARGEST_TURN);
+            if promising && let Some(candidate) = rotation_limited(&problem) {
+                self.add(candidate, turns, bound);
+            }
+        }
     }
 
     /// What was found is hardly slower than where a path died, so that path has nothing better to offer.
     fn settled(&self) -> bool {
-        !self.effort.everything && self.lost_at < f64::INFINITY && self.best() < SETTLED * self.lost_at
+        !self.effort.everything && self.lost_at() < f64::INFINITY && self.best() < SETTLED * self.lost_at()
     }
 
     fn best(&self) -> f64 {
@@ -147,7 +181,8 @@ impl<'a> Search<'a> {
             if self.was_cancelled || i >= 2 * self.effort.paths || start.estimate > enough {
                 break;
             }
-            if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best) {
+            if let Some((mut candidate, duration)) = self.path(&problem, &relaxed, start, mu, best, backwards)
+            {
                 let mut turns = start.turns;
                 if backwards {
                     candidate.reverse(duration);
@@ -166,6 +201,7 @@ impl<'a> Search<'a> {
         start: &Start,
         mu: f64,
         slower_than: f64,
+        backwards: bool,
     ) -> Option<(Candidate, f64)> {
         let mut wound = *problem;
         wound.to[4] += f64::from(start.turns) * TAU;
@@ -203,7 +239,8 @@ impl<'a> Search<'a> {
                     _ => start.estimate,
                 };
                 if start.estimate < slower_than {
-                    self.lost_at = self.lost_at.min(died_at);
+                    // A full list is long enough to know that something was lost.
+                    let _ = self.lost.push((if backwards { -start.turns } else { start.turns }, died_at));
                 }
                 None
             }
@@ -212,8 +249,7 @@ impl<'a> Search<'a> {
 
     /// Solves displaced problems and carries their solutions over.
     fn detour(&mut self) {
-        let scale = self.detour_length();
-        for (step, angle) in DETOURS {
+        for detour in &DETOURS {
             if self.settled() {
                 return;
             }
@@ -221,10 +257,7 @@ impl<'a> Search<'a> {
                 self.was_cancelled = true;
                 return;
             }
-            let (s, c) = libm::sincos(angle);
-            let mut displaced = self.problem;
-            displaced.to[0] += scale * step * c;
-            displaced.to[2] += scale * step * s;
+            let displaced = detour.apply(&self.problem);
             let mut search = Search::new(
                 displaced,
                 self.turns,
@@ -244,14 +277,6 @@ impl<'a> Search<'a> {
                 }
             }
         }
-    }
-
-    /// A displacement that changes the problem without making it another one.
-    fn detour_length(&self) -> f64 {
-        let (f, g) = (&self.problem.from, &self.problem.to);
-        let distance = libm::hypot(g[0] - f[0], g[2] - f[2]);
-        // Half a unit of T's square is what a quarter turn moves; below that the displacement hardly matters.
-        distance.max(SHORT_DISTANCE)
     }
 
     /// Continuation in the data at the real rate limit, from a neighbour's solution to this problem.
@@ -322,16 +347,60 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Displacements tried when a problem does not solve directly: relative length and direction.
-const DETOURS: [(f64, f64); 8] = [
-    (0.12, 0.4),
-    (0.12, 0.4 + 1.5 * core::f64::consts::PI),
-    (0.12, 0.4 + 0.5 * core::f64::consts::PI),
-    (0.12, 0.4 + core::f64::consts::PI),
-    (0.5, 0.9),
-    (0.5, 0.9 + core::f64::consts::PI),
-    (0.5, 0.9 + 0.5 * core::f64::consts::PI),
-    (0.5, 0.9 + 1.5 * core::f64::consts::PI),
+/// One problem near another.
+struct Detour {
+    /// Displacement of the end, relative to the distance, and its direction.
+    displacement: (f64, f64),
+    /// Change of the end's velocity (horizontal, vertical), relative to the speed.
+    velocity: (f64, f64),
+    /// Factor on the upper thrust limit.
+    thrust: f64,
+}
+
+impl Detour {
+    const fn moved(length: f64, direction: f64) -> Self {
+        Self { displacement: (length, direction), velocity: (0.0, 0.0), thrust: 1.0 }
+    }
+
+    const fn faster(horizontal: f64, vertical: f64) -> Self {
+        Self { displacement: (0.0, 0.0), velocity: (horizontal, vertical), thrust: 1.0 }
+    }
+
+    const fn stronger(thrust: f64) -> Self {
+        Self { displacement: (0.0, 0.0), velocity: (0.0, 0.0), thrust }
+    }
+
+    fn apply(&self, problem: &Problem) -> Problem {
+        let mut p = *problem;
+        let (f, g) = (&problem.from, &problem.to);
+        let distance = libm::hypot(g[0] - f[0], g[2] - f[2]).max(SHORT_DISTANCE);
+        let speed = libm::hypot(f[1], f[3]).max(libm::hypot(g[1], g[3]));
+        let (s, c) = libm::sincos(self.displacement.1);
+        p.to[0] += distance * self.displacement.0 * c;
+        p.to[2] += distance * self.displacement.0 * s;
+        p.to[1] += speed * self.velocity.0;
+        p.to[3] += speed * self.velocity.1;
+        p.u_max *= self.thrust;
+        p
+    }
+}
+
+/// Neighbours tried when a problem does not solve directly.
+const DETOURS: [Detour; 14] = [
+    Detour::moved(0.12, 0.4),
+    Detour::moved(0.12, 0.4 + 1.5 * PI),
+    Detour::moved(0.12, 0.4 + 0.5 * PI),
+    Detour::moved(0.12, 0.4 + PI),
+    Detour::stronger(0.94),
+    Detour::stronger(1.08),
+    Detour::faster(0.1, 0.05),
+    Detour::faster(-0.1, -0.05),
+    Detour::faster(-0.05, 0.1),
+    Detour::faster(0.05, -0.1),
+    Detour::moved(0.5, 0.9),
+    Detour::moved(0.5, 0.9 + PI),
+    Detour::moved(0.5, 0.9 + 0.5 * PI),
+    Detour::moved(0.5, 0.9 + 1.5 * PI),
 ];
 /// Dimensionless displacement below which it is the turning that takes the time.
 const SHORT_DISTANCE: f64 = 5.0;

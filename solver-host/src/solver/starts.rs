@@ -29,7 +29,7 @@ pub(crate) struct Start {
 /// Whole extra turns considered at the start, in the middle and at the end.
 const EXTRA_TURNS: [i32; 5] = [0, -1, 1, -2, 2];
 /// Most total turn considered: |θ_T + 2πk − θ_0| ≤ 4π (and a rest for fixed windings beyond).
-const LARGEST_TURN: f64 = 2.0 * TAU + 1e-9;
+pub(crate) const LARGEST_TURN: f64 = 2.0 * TAU + 1e-9;
 /// Samples a turn when reading off the thrust along a sweep.
 const SAMPLES: f64 = 48.0;
 /// Fixed-point iterations for the time a bang in the middle takes.

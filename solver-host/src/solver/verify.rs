@@ -17,8 +17,8 @@ use super::relax::relax;
 pub struct Certificate {
     /// All of the below within tolerance.
     pub verified: bool,
-    /// The maneuver begins or ends on a singular arc, or its multiplier is (nearly) abnormal, so that the costate is
-    /// not unique. It is an extremal all the same.
+    /// The maneuver begins or ends on a singular arc, or its multiplier is (nearly) abnormal, or c = 0 (it takes exactly
+    /// |Δθ|/ω_max), so that the costate or the thrust is not unique. It is an extremal all the same.
     pub degenerate: bool,
     /// Integrated minus demanded end state: m, m/s, m, m/s, rad.
     pub final_state_error: [f64; 5],
@@ -47,14 +47,14 @@ pub const RATE_TOLERANCE: f64 = 1e-9;
 /// |c| beyond which the multiplier of the cost is as good as zero.
 const ABNORMAL: f64 = 1e4;
 
-/// Order of the Taylor series: at half a radian a step the first term left out is below 1e-19.
-const ORDER: usize = 16;
+/// Order of the Taylor series: at half a radian a step the first term left out is below 1e-16.
+const ORDER: usize = 14;
 /// Longest step, in units of 1/ω_max.
 const LONGEST_STEP: f64 = 0.5;
 /// Longest step on an arc, relative to the radius of convergence of eq. (15).
 const RADIUS_FRACTION: f64 = 0.125;
-/// Points per step at which the laws are checked.
-const GRID: usize = 8;
+/// Points per step at which the laws are checked, its end included: one every twelfth of a radian at most.
+const GRID: usize = 6;
 
 /// Checks an extremal. Takes any [`Extremal`], from this solver or not; it does not fail, it reports.
 pub fn verify(extremal: &Extremal) -> Certificate {
@@ -121,8 +121,10 @@ pub fn verify(extremal: &Extremal) -> Certificate {
     let on_arc = |s: Option<&mintime_shared::model::Segment<f64>>| {
         s.is_some_and(|s| s.inputs.rate == RateMode::Singular)
     };
-    let degenerate =
-        on_arc(extremal.segments.first()) || on_arc(extremal.segments.last()) || costate_size > ABNORMAL;
+    let degenerate = on_arc(extremal.segments.first())
+        || on_arc(extremal.segments.last())
+        || costate_size > ABNORMAL
+        || run.c == [0.0; 4];
     let problem = Problem::new(extremal.from, extremal.to, limits, extremal.turns);
     let relaxed_s = relax(&problem).map_or(0.0, |r| r.lower_bound / rate);
     Certificate {
@@ -137,6 +139,17 @@ pub fn verify(extremal: &Extremal) -> Certificate {
         lower_bound_s: relaxed_s.max(problem.turn().abs() / rate),
     }
 }
+
+/// 1/(k + 1).
+const INVERSES: Series = {
+    let mut values = [1.0; ORDER + 1];
+    let mut k = 0;
+    while k <= ORDER {
+        values[k] = 1.0 / (k + 1) as f64;
+        k += 1;
+    }
+    values
+};
 
 type Series = [f64; ORDER + 1];
 
@@ -155,6 +168,7 @@ impl Integration {
     fn segment(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, duration: f64) {
         let end = self.t + duration;
         let mut left = duration;
+        self.watch_entry(mode, level, u_t);
         while left > 0.0 {
             let longest = match mode {
                 RateMode::Singular => LONGEST_STEP.min(RADIUS_FRACTION * self.radius()),
@@ -195,10 +209,11 @@ impl Integration {
                 let q2 = c1 * c1 + c3 * c3;
                 let q1 = 2.0 * q2 * t - 2.0 * (c1 * c2 + c3 * c4);
                 let q0 = q2 * t * t - 2.0 * (c1 * c2 + c3 * c4) * t + c2 * c2 + c4 * c4;
+                let (r1, r2) = (q1 / q0, q2 / q0);
                 rate[0] = (c2 * c3 - c1 * c4) / q0;
-                rate[1] = -q1 * rate[0] / q0;
+                rate[1] = -r1 * rate[0];
                 for k in 2..=ORDER {
-                    rate[k] = -(q1 * rate[k - 1] + q2 * rate[k - 2]) / q0;
+                    rate[k] = -(r1 * rate[k - 1] + r2 * rate[k - 2]);
                 }
             }
         }
@@ -212,13 +227,14 @@ impl Integration {
         (sin[0], cos[0]) = libm::sincos(self.y[4]);
         let (a, b) = (c1 * t - c2, c4 - c3 * t);
         for k in 0..ORDER {
-            let inverse = 1.0 / (k + 1) as f64;
+            let inverse = INVERSES[k];
             y[4][k + 1] = rate[k] * inverse;
             let (mut s, mut c) = (rate[0] * cos[k], -rate[0] * sin[k]);
             if singular {
-                for j in 1..=k {
-                    s += rate[j] * cos[k - j];
-                    c -= rate[j] * sin[k - j];
+                let earlier = cos[..k].iter().zip(&sin[..k]).rev();
+                for (u, (co, si)) in rate[1..=k].iter().zip(earlier) {
+                    s += u * co;
+                    c -= u * si;
                 }
             }
             sin[k + 1] = s * inverse;
@@ -230,31 +246,58 @@ impl Integration {
             let drift = if k > 0 { c1 * cos[k - 1] - c3 * sin[k - 1] } else { 0.0 };
             y[5][k + 1] = u_t * (a * cos[k] + b * sin[k] + drift) * inverse;
         }
-        for i in 0..=GRID {
-            let tau = h * i as f64 / GRID as f64;
-            let [vx, vz, phi_r, s, c, u_r] =
-                [&y[1], &y[3], &y[5], &sin, &cos, &rate].map(|series| horner(series, tau));
-            let (p2, p4) = (c2 - c1 * (t + tau), c4 - c3 * (t + tau));
-            let phi_t = p2 * s + p4 * c;
-            let h_total = 1.0 + c1 * vx + u_t * phi_t + c3 * vz - p4 + phi_r * u_r;
-            self.hamiltonian = worst(self.hamiltonian, h_total.abs());
-            let rate_violation = match mode {
-                RateMode::Plus => phi_r,
-                RateMode::Minus => -phi_r,
-                RateMode::Singular => phi_r.abs(),
-            };
-            let thrust_violation = match level {
-                ThrustLevel::Max => phi_t,
-                ThrustLevel::Min => -phi_t,
-            };
-            self.control_law = worst(worst(self.control_law, rate_violation), thrust_violation);
-            if singular {
-                self.kelley = if -phi_t < self.kelley || phi_t.is_nan() { -phi_t } else { self.kelley };
-                self.singular_rate = worst(self.singular_rate, u_r.abs());
-            }
+        let taus: [f64; GRID] = core::array::from_fn(|i| h * (i + 1) as f64 / GRID as f64);
+        let vx = horner(&y[1], &taus);
+        let vz = horner(&y[3], &taus);
+        let phi_r = horner(&y[5], &taus);
+        let s = horner(&sin, &taus);
+        let c = horner(&cos, &taus);
+        let u_r = if singular { horner(&rate, &taus) } else { [rate[0]; GRID] };
+        for i in 0..GRID {
+            let (p2, p4) = (c2 - c1 * (t + taus[i]), c4 - c3 * (t + taus[i]));
+            self.watch(mode, level, u_t, p4, [vx[i], vz[i], phi_r[i], u_r[i], p2 * s[i] + p4 * c[i]]);
         }
-        self.y = y.map(|series| horner(&series, h));
+        let last = GRID - 1;
+        let [x, z, theta] = [horner(&y[0], &[h])[0], horner(&y[2], &[h])[0], horner(&y[4], &[h])[0]];
+        self.y = [x, vx[last], z, vz[last], theta, phi_r[last]];
         self.t += h;
+    }
+}
+
+impl Integration {
+    /// Checks the laws where a segment begins: right after a switch with the new inputs.
+    fn watch_entry(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64) {
+        let [c1, c2, c3, c4] = self.c;
+        let (p2, p4) = (c2 - c1 * self.t, c4 - c3 * self.t);
+        let u_r = match mode {
+            RateMode::Plus => 1.0,
+            RateMode::Minus => -1.0,
+            RateMode::Singular => (c2 * c3 - c1 * c4) / (p2 * p2 + p4 * p4),
+        };
+        let [_, vx, _, vz, theta, phi_r] = self.y;
+        let (s, c) = libm::sincos(theta);
+        self.watch(mode, level, u_t, p4, [vx, vz, phi_r, u_r, p2 * s + p4 * c]);
+    }
+
+    /// Checks the laws at one point: (ẋ, ż, Φ_R, u_R, Φ_T) there, and p4.
+    fn watch(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, p4: f64, at: [f64; 5]) {
+        let [vx, vz, phi_r, u_r, phi_t] = at;
+        let h = 1.0 + self.c[0] * vx + u_t * phi_t + self.c[2] * vz - p4 + phi_r * u_r;
+        self.hamiltonian = worst(self.hamiltonian, h.abs());
+        let rate_violation = match mode {
+            RateMode::Plus => phi_r,
+            RateMode::Minus => -phi_r,
+            RateMode::Singular => phi_r.abs(),
+        };
+        let thrust_violation = match level {
+            ThrustLevel::Max => phi_t,
+            ThrustLevel::Min => -phi_t,
+        };
+        self.control_law = worst(worst(self.control_law, rate_violation), thrust_violation);
+        if mode == RateMode::Singular {
+            self.kelley = if -phi_t < self.kelley || phi_t.is_nan() { -phi_t } else { self.kelley };
+            self.singular_rate = worst(self.singular_rate, u_r.abs());
+        }
     }
 }
 
@@ -263,6 +306,14 @@ fn worst(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-fn horner(series: &Series, x: f64) -> f64 {
-    series.iter().rev().fold(0.0, |sum, c| sum * x + c)
+/// A series at several points.
+#[inline]
+fn horner<const N: usize>(series: &Series, at: &[f64; N]) -> [f64; N] {
+    let mut sums = [series[ORDER]; N];
+    for coefficient in series[..ORDER].iter().rev() {
+        for i in 0..N {
+            sums[i] = sums[i] * at[i] + coefficient;
+        }
+    }
+    sums
 }

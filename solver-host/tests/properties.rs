@@ -1,0 +1,118 @@
+//! What must hold for every request: symmetries of the problem, and T growing along sweeps.
+
+mod requests;
+
+use mintime::solver::{Request, Turns, solve};
+use mintime_shared::model::{Limits, State};
+use requests::{Class, requests};
+
+/// Relative agreement of two durations that must be equal.
+const EQUAL: f64 = 1e-9;
+
+fn duration(request: &Request) -> f64 {
+    solve(request).unwrap_or_else(|e| panic!("{request:?}: {e}")).extremal.duration_s()
+}
+
+fn assert_equal(request: &Request, a: f64, b: f64) {
+    assert!((a - b).abs() <= EQUAL * a.max(b), "{request:?}: {a} against {b}");
+}
+
+/// Every n-th request of some classes.
+fn sample(classes: &[Class], step: usize) -> Vec<Request> {
+    requests().into_iter().filter(|(c, _)| classes.contains(c)).map(|(_, r)| r).step_by(step).collect()
+}
+
+fn mirrored(s: State<f64>) -> State<f64> {
+    State { x: -s.x, vx: -s.vx, theta: -s.theta, ..s }
+}
+
+fn backwards(s: State<f64>) -> State<f64> {
+    State { vx: -s.vx, vz: -s.vz, ..s }
+}
+
+#[test]
+fn a_mirrored_request_takes_as_long() {
+    for request in sample(&[Class::RestToRest, Class::Moving, Class::Limits, Class::UpsideDown], 12) {
+        let image = Request { from: mirrored(request.from), to: mirrored(request.to), ..request };
+        assert_equal(&request, duration(&request), duration(&image));
+    }
+}
+
+#[test]
+fn a_request_run_backwards_takes_as_long_for_each_winding() {
+    for request in sample(&[Class::RestToRest, Class::Limits], 25) {
+        for k in [-1, 0, 1] {
+            let forth = Request { turns: Turns::Exactly(k), ..request };
+            // The winding belongs to the end; run backwards it is the start that carries it.
+            let back = Request {
+                from: backwards(request.to),
+                to: backwards(request.from),
+                turns: Turns::Exactly(-k),
+                ..request
+            };
+            assert_equal(&forth, duration(&forth), duration(&back));
+        }
+    }
+}
+
+#[test]
+fn at_rest_both_signs_of_both_displacements_take_as_long() {
+    for request in sample(&[Class::RestToRest], 20) {
+        let (x, z) = (request.to.x, request.to.z);
+        for k in [-1, 0, 1] {
+            let with =
+                |x, z, k| duration(&Request { turns: Turns::Exactly(k), ..Request::rest_to_rest(x, z) });
+            let t = with(x, z, k);
+            assert_equal(&request, t, with(x, -z, k));
+            assert_equal(&request, t, with(-x, z, -k));
+        }
+    }
+}
+
+#[test]
+fn time_and_length_scale_by_equation_3() {
+    for request in sample(&[Class::RestToRest, Class::Moving], 20) {
+        for factor in [0.31, 2.7] {
+            // The same dimensionless problem at another rate limit: T ω stays, lengths go with 1/ω², speeds with 1/ω.
+            let scaled = |s: State<f64>| State {
+                x: s.x / (factor * factor),
+                vx: s.vx / factor,
+                z: s.z / (factor * factor),
+                vz: s.vz / factor,
+                theta: s.theta,
+            };
+            let limits = Limits { rate_max_radps: factor * request.limits.rate_max_radps, ..request.limits };
+            let other = Request { from: scaled(request.from), to: scaled(request.to), limits, ..request };
+            assert_equal(&request, duration(&request), factor * duration(&other));
+        }
+    }
+}
+
+#[test]
+fn t_grows_along_the_axes() {
+    for axis in [(1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+        let mut before = 0.0;
+        for i in 1..=150 {
+            let d = 0.1 * f64::from(i);
+            let t = duration(&Request::rest_to_rest(axis.0 * d, axis.1 * d));
+            assert!(t > before, "{axis:?} {d}: {t} after {before}");
+            before = t;
+        }
+    }
+}
+
+#[test]
+fn better_limits_are_never_slower() {
+    for request in sample(&[Class::RestToRest, Class::Moving], 25) {
+        let t = duration(&request);
+        let l = request.limits;
+        for limits in [
+            Limits { thrust_min_mps2: 0.9 * l.thrust_min_mps2, ..l },
+            Limits { thrust_max_mps2: 1.05 * l.thrust_max_mps2, ..l },
+            Limits { rate_max_radps: 1.05 * l.rate_max_radps, ..l },
+        ] {
+            let better = duration(&Request { limits, ..request });
+            assert!(better <= t * (1.0 + EQUAL), "{request:?} {limits:?}: {better} after {t}");
+        }
+    }
+}
