@@ -164,6 +164,27 @@ fn solve_json_has_the_fields_of_the_interface() {
     assert_eq!(at("/table_bytes"), length);
 }
 
+/// Every winding that could have won is told, fastest first; the durations are those of an independent solver.
+#[test]
+fn the_windings_that_lost_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let alternatives = |arguments: &[&str]| {
+        let output = mintime(folder.path(), arguments);
+        assert_success(&output);
+        let list = json(&output)["alternatives"].as_array().expect("a list").clone();
+        let pair =
+            |a: &Value| (a["turns"].as_i64().expect("turns"), a["duration_s"].as_f64().expect("a number"));
+        list.iter().map(pair).collect::<Vec<_>>()
+    };
+    let found = alternatives(&["solve", "--to", "5,5", "--json"]);
+    assert_eq!(found.iter().map(|a| a.0).collect::<Vec<_>>(), [1, -1, 2, -2]);
+    assert!((found[0].1 - 1.467_593_165_8).abs() < 1e-9 && (found[1].1 - 1.582_428_571_3).abs() < 1e-9);
+    // A mirror image ties; a flip is hardly slower than none.
+    let found = alternatives(&["solve", "--to", "0,3", "--json"]);
+    assert_eq!(found.iter().map(|a| a.0).collect::<Vec<_>>(), [-1, 0]);
+    assert_eq!(alternatives(&["solve", "--to", "5,5", "--turns", "1", "--json"]), []);
+}
+
 #[test]
 fn a_trajectory_begins_at_the_start_and_ends_at_the_end() {
     let folder = tempfile::tempdir().expect("a folder");

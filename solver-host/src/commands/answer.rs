@@ -1,7 +1,7 @@
 //! One solved request as JSON. Field names are part of the interface.
 
 use mintime::pack::{PackError, pack};
-use mintime::solver::{Certificate, Request, Solution, SolveError, solve};
+use mintime::solver::{Certificate, Request, Solution, SolveError, solve_all_windings};
 use mintime_shared::model::{RateMode, ThrustLevel};
 use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable, TableError};
 use serde::Serialize;
@@ -59,7 +59,7 @@ pub(crate) enum AnswerError {
 /// Solves a request, packs the maneuver and replays the table.
 pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, AnswerError> {
     let clock = Instant::now();
-    let solution = match solve(request) {
+    let solution = match solve_all_windings(request) {
         Err(SolveError::AlreadyThere) => return Ok(Solved { answer: at_once(name), maneuver: None }),
         result => result?,
     };
