@@ -26,6 +26,7 @@ mod extremal;
 mod linearise;
 mod neighbour;
 mod newton;
+pub mod paper;
 mod path;
 mod problem;
 mod relax;
@@ -35,6 +36,7 @@ mod search;
 mod sensitivity;
 mod starts;
 mod structure;
+pub mod sweep;
 mod verify;
 mod windings;
 

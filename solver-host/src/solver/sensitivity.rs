@@ -84,7 +84,7 @@ impl Extremal {
 
 /// Positive nodes and weights of the six-point Gauss-Legendre rule on \[−1, 1\]: over one radian its error is below
 /// 1e-14.
-const GAUSS_6: [(f64, f64); 3] = [
+pub(crate) const GAUSS_6: [(f64, f64); 3] = [
     (0.238_619_186_083_196_9, 0.467_913_934_572_691),
     (0.661_209_386_466_264_5, 0.360_761_573_048_138_6),
     (0.932_469_514_203_152, 0.171_324_492_379_170_35),
