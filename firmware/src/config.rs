@@ -3,6 +3,7 @@
 use mintime_shared::crc32;
 use mintime_shared::frames::MOTORS;
 use mintime_shared::messages::TELEMETRY_PERIOD_US;
+use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::table::PlanLimits;
 
 /// The vehicle as its flight controller knows it. Its [`hash`](VehicleConfig::hash) names it on the link.
@@ -54,12 +55,18 @@ impl VehicleConfig {
         plan_rate_max_radps: 15.0,
     };
 
+    /// Whether a measured battery voltage can be one: beyond, the sense wire is off. False for NaN.
+    pub fn is_plausible_battery(&self, volts: f32) -> bool {
+        volts > 0.6 * self.battery_nominal_v && volts < 1.4 * self.battery_nominal_v
+    }
+
     /// What a table may plan with, [`mintime_shared::table::PlanLimits`].
     pub fn plan_limits(&self) -> PlanLimits {
         PlanLimits {
             thrust_min_mps2: self.rotor_thrust_idle_n * MOTOR_COUNT as f32 / self.mass_kg,
             thrust_max_mps2: self.plan_thrust_max_mps2,
             rate_max_radps: self.plan_rate_max_radps,
+            gravity_mps2: GRAVITY_MPS2 as f32,
         }
     }
 

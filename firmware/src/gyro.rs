@@ -98,7 +98,12 @@ impl Gyro {
         self.last_raw = Some(raw);
         let saturated = raw.iter().any(|r| r.abs() >= GYRO_SATURATION_RADPS);
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
-        if calibrate {
+        let spread = |bias: [f32; 3]| raw.iter().zip(bias).any(|(r, b)| (r - b).abs() > STILL_SPREAD_RADPS);
+        if self.bias_radps.is_some_and(spread) {
+            // A hand on the vehicle counts at once, stillness only after a whole window.
+            self.moving = true;
+            self.calibration = Calibration::EMPTY;
+        } else if calibrate {
             match self.calibration.take(raw) {
                 Some(Ok(bias)) => {
                     self.bias_radps = Some(bias);
@@ -107,7 +112,9 @@ impl Gyro {
                 Some(Err(())) => self.moving = true,
                 None => {}
             }
-        } else {
+        }
+        if !calibrate {
+            self.moving = true;
             self.calibration = Calibration::EMPTY;
         }
         let bias = self.bias_radps.unwrap_or_default();

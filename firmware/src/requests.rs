@@ -177,6 +177,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         if !setpoint.is_finite() {
             return Outcome::Now(Reply::Refused(Refusal::NotFinite));
         }
+        if !setpoint.is_in_range() {
+            return Outcome::Now(Reply::Refused(Refusal::OutOfRange));
+        }
         if self.state().motors_on() {
             self.host_setpoint = Some((setpoint, now_us));
         }

@@ -44,6 +44,8 @@ bitflags! {
         const ARM = 1 << 14;
         /// Armed and idle for too long.
         const IDLE_TOO_LONG = 1 << 15;
+        /// The clock ran backwards.
+        const CLOCK = 1 << 16;
     }
 
     /// Sets of flight states.
@@ -97,7 +99,7 @@ pub struct Transition {
 }
 
 /// All transitions, gravest first.
-pub const TRANSITIONS: [Transition; 20] = {
+pub const TRANSITIONS: [Transition; 21] = {
     use Conditions as C;
     use FlightState::{Armed, Disarmed, Flying, LinkLost, Maneuver, Stopped};
     const fn row(
@@ -129,6 +131,8 @@ pub const TRANSITIONS: [Transition; 20] = {
             Disarmed,
             None,
         ),
+        // Every timeout hangs on the clock.
+        row(ON, C::CLOCK, NONE, Stopped, Some(AbortReason::Clock)),
         // Nothing can be controlled without rates.
         row(ON, C::GYRO_MISSING, NONE, Stopped, Some(AbortReason::GyroMissing)),
         row(ON, C::GYRO_FROZEN, NONE, Stopped, Some(AbortReason::GyroFrozen)),
@@ -177,8 +181,8 @@ impl Supervisor {
         self.abort
     }
 
-    /// Takes the first transition that applies. `Some` with the old state where there was one.
-    pub fn step(&mut self, conditions: Conditions) -> Option<FlightState> {
+    /// Takes the first transition that applies. `Some` with the old state and the reason where there was one.
+    pub fn step(&mut self, conditions: Conditions) -> Option<(FlightState, Option<AbortReason>)> {
         let here = States::from(self.state);
         let row = TRANSITIONS.iter().find(|row| {
             row.from.contains(here) && conditions.contains(row.when) && !conditions.intersects(row.unless)
@@ -190,6 +194,6 @@ impl Supervisor {
             None if row.to == FlightState::Armed => self.abort = None,
             None => {}
         }
-        Some(old)
+        Some((old, row.reason))
     }
 }

@@ -41,7 +41,8 @@ pub const TELEMETRY_PERIOD_US: u64 = 20_000;
 /// Host to vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Uplink {
-    /// [`PROTOCOL_VERSION`] of the sender. First, so that it can be read whatever follows.
+    /// [`PROTOCOL_VERSION`] of the sender. A version that changes the requests it has in common with this one makes them
+    /// unreadable; one that does not is told so.
     pub version: u8,
     /// Chosen by the host; the answer repeats it.
     pub number: u16,
@@ -119,6 +120,17 @@ pub struct Setpoint {
 }
 
 impl Setpoint {
+    /// Highest body rate that makes sense, rad/s: the end of the gyro's range.
+    pub const RATE_MAX_RADPS: f32 = 35.0;
+    /// Highest thrust per mass that makes sense, m/s².
+    pub const THRUST_MAX_MPS2: f32 = 100.0;
+
+    /// Within what makes sense. False for NaN.
+    pub fn is_in_range(&self) -> bool {
+        self.rates_radps.iter().all(|r| r.abs() <= Self::RATE_MAX_RADPS)
+            && (0.0..=Self::THRUST_MAX_MPS2).contains(&self.thrust_mps2)
+    }
+
     /// All numbers finite.
     pub fn is_finite(&self) -> bool {
         self.rates_radps.iter().all(|r| r.is_finite()) && self.thrust_mps2.is_finite()
@@ -224,6 +236,9 @@ pub enum AbortReason {
     /// No samples.
     #[error("the gyro stopped delivering samples: check its wiring")]
     GyroMissing,
+    /// The vehicle's clock ran backwards.
+    #[error("the vehicle's clock ran backwards: a hardware fault, do not fly this flight controller")]
+    Clock,
     /// The kill switch.
     #[error("the kill switch was pressed")]
     KillSwitch,
@@ -270,6 +285,9 @@ pub enum Refusal {
     /// No such record.
     #[error("there is no record at that index")]
     NoRecord,
+    /// A setpoint beyond what any vehicle does.
+    #[error("a setpoint is out of range: body rates to 35 rad/s, thrust 0 to 100 m/s²")]
+    OutOfRange,
 }
 
 /// Reasons that block arming, as bits.
@@ -363,6 +381,10 @@ pub struct Telemetry {
     pub maneuver_s: f32,
     /// Whether the last maneuver ran to its end.
     pub maneuver_complete: bool,
+    /// Ticks of the last maneuver.
+    pub maneuver_ticks: u32,
+    /// Ticks that the clock says are missing between them.
+    pub maneuver_missed_ticks: u32,
     /// Battery, V; 0 where unknown.
     pub battery_v: f32,
     /// Body rates, bias removed, rad/s.

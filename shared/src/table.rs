@@ -29,7 +29,7 @@ use serde::{Deserialize, Serialize};
 use crate::checksum;
 use crate::minimum_principle::Costate;
 use crate::model::{Inputs, Limits, LimitsError, RateMode, Segment, State, ThrustLevel};
-use crate::motion::{self, Arc};
+use crate::motion::{self, Arc, Turn};
 
 /// Most segments a table can hold. The longest extremal seen over thousands of random requests has 13.
 pub const MAX_SEGMENTS: usize = 24;
@@ -48,6 +48,12 @@ pub const SCHEMA_HASH: u32 = checksum::crc32(
 
 /// Positions beyond this are nonsense for a maneuver in one room, m.
 const MAX_POSITION_M: f32 = 1000.0;
+/// Velocities beyond this are nonsense for a maneuver in one room, m/s.
+const MAX_VELOCITY_MPS: f32 = 100.0;
+/// Angles beyond this are nonsense, rad: eight turns.
+const MAX_ANGLE_RAD: f32 = 51.0;
+/// How far a table's gravity may be from the vehicle's, m/s²: gravity varies by that over the Earth.
+const GRAVITY_TOLERANCE_MPS2: f32 = 0.05;
 /// Largest magnitude of an arc's width and peak time, s: wider is straight, later is elsewhere.
 pub const MAX_ARC_TIME_S: f32 = 1.0e6;
 /// How much an arc may exceed the rate limit: rounding to `f32` only.
@@ -230,6 +236,9 @@ pub enum TableError {
     /// The vehicle cannot deliver the thrust or rate that the table was planned with.
     #[error("the table asks for thrust or body rate that this vehicle does not have: plan within its limits")]
     BeyondVehicle,
+    /// Planned for another gravity than the vehicle's.
+    #[error("the table was planned with another gravity than the vehicle flies in: plan it with 9.81 m/s²")]
+    Gravity,
 }
 
 /// How far the exact motion may miss the stated end.
@@ -343,7 +352,12 @@ impl ManeuverTable {
     /// The first reason that applies.
     pub fn check(&self) -> Result<(), TableError> {
         self.limits.validate().map_err(TableError::Limits)?;
-        let in_range = |s: &State<f32>| s.to_array().iter().all(|v| v.abs() <= MAX_POSITION_M);
+        let within = |values: [f32; 2], bound: f32| values.iter().all(|v| v.abs() <= bound);
+        let in_range = |s: &State<f32>| {
+            within([s.x, s.z], MAX_POSITION_M)
+                && within([s.vx, s.vz], MAX_VELOCITY_MPS)
+                && s.theta.abs() <= MAX_ANGLE_RAD
+        };
         if !(in_range(&self.start)
             && in_range(&self.end)
             && self.heading_rad.abs() <= 2.0 * core::f32::consts::PI)
@@ -380,6 +394,9 @@ impl ManeuverTable {
     pub fn check_for(&self, vehicle: u32, able: &PlanLimits) -> Result<(), TableError> {
         if self.vehicle != ANY_VEHICLE && self.vehicle != vehicle {
             return Err(TableError::OtherVehicle);
+        }
+        if (self.limits.gravity_mps2 - able.gravity_mps2).abs() > GRAVITY_TOLERANCE_MPS2 {
+            return Err(TableError::Gravity);
         }
         // Written so that a bound that is not a number refuses.
         let within = self.limits.thrust_min_mps2 >= able.thrust_min_mps2
@@ -422,16 +439,28 @@ impl ManeuverTable {
         let mut state = self.start;
         let mut time_s = 0.0;
         for Segment { inputs, duration } in self.segments() {
-            let turn = match (inputs.rate.sign::<f32>(), self.arcs) {
-                (Some(sign), _) => motion::bang(sign * self.limits.rate_max_radps, duration),
-                (None, Some(profile)) => motion::singular(profile.entered_at(time_s), duration),
-                (None, None) => motion::bang(0.0, duration),
-            };
+            let turn = turn(inputs.rate, self.limits.rate_max_radps, self.arcs, time_s, duration);
             let thrust = self.limits.thrust(inputs.thrust);
             state = motion::advance(state, thrust, self.limits.gravity_mps2, duration, &turn);
             time_s += duration;
         }
         state
+    }
+}
+
+/// The turn over a part of a segment that begins at `begin_s` (s from the maneuver's start) and lasts `length_s`.
+pub(crate) fn turn(
+    rate: RateMode,
+    rate_max_radps: f32,
+    arcs: Option<ArcProfile>,
+    begin_s: f32,
+    length_s: f32,
+) -> Turn<f32> {
+    match (rate.sign::<f32>(), arcs) {
+        (Some(sign), _) => motion::bang(sign * rate_max_radps, length_s),
+        (None, Some(profile)) => motion::singular(profile.entered_at(begin_s), length_s),
+        // No table has arcs without a profile.
+        (None, None) => motion::bang(0.0, length_s),
     }
 }
 
@@ -444,6 +473,8 @@ pub struct PlanLimits {
     pub thrust_max_mps2: f32,
     /// Highest body rate, rad/s.
     pub rate_max_radps: f32,
+    /// Gravity where it flies, m/s².
+    pub gravity_mps2: f32,
 }
 
 /// What a table states besides its segments.

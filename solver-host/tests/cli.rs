@@ -101,7 +101,7 @@ fn a_saved_table_flies_again_and_a_damaged_one_does_not() {
 
 #[test]
 fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
-    let cases: [(&[&str], &str); 17] = [
+    let cases: [(&[&str], &str); 18] = [
         (&["fly", "--to", "nan,5"], "not finite"),
         (&["fly", "--to", "5,inf"], "not finite"),
         (&["fly", "--to", "5"], "2 numbers"),
@@ -119,6 +119,7 @@ fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
         (&["fly", "--to", "5,5", "--plant", "no-such.toml"], "no-such.toml"),
         (&["fly", "--to", "5,5", "--log", "no/such/folder.mcap"], "no/such"),
         (&["fly", "--to", "5,5", "--report", "picture.gif"], ".svg"),
+        (&["fly", "--to", "5,5", "--log", "a.svg", "--report", "./a.svg"], "two outputs"),
     ];
     for (arguments, expected) in cases {
         let text = refusal(arguments);
@@ -311,4 +312,29 @@ fn solve_refuses_bad_input_in_one_sentence() {
         let text = refusal(arguments);
         assert!(text.contains(expected), "{arguments:?}: {text}");
     }
+}
+
+#[test]
+fn a_table_for_another_gravity_is_not_flown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let moon = ["solve", "--gravity", "1.62", "--to", "5,5", "--thrust-per-mass", "1,20", "-o", "moon.table"];
+    assert_success(&mintime(folder.path(), &moon));
+    let output = mintime(folder.path(), &["fly", "--table", "moon.table"]);
+    assert!(!output.status.success());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("gravity"));
+}
+
+/// `mintime ... | head` is no error.
+#[test]
+fn a_closed_pipe_is_no_panic() {
+    use std::process::Stdio;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(["sweep", "horizontal"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
 }

@@ -398,8 +398,107 @@ fn armed_motors_idle_and_stop_after_thirty_seconds() {
     assert_eq!(bench.now_us - armed_us, 30_000_000);
     assert_eq!(bench.abort(), Some(AbortReason::IdleTimeout));
     bench.stream = None;
+    // It may have been moved while it was armed: it must stand still for a window again.
+    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    bench.run(401);
     bench.arm();
     assert_eq!(bench.abort(), None);
+}
+
+/// A hand on the vehicle counts at once, not at the end of a window.
+#[test]
+fn a_vehicle_that_begins_to_move_is_not_armed() {
+    let mut bench = Bench::ready();
+    let mut sample = bench.sample();
+    sample.gyro_radps[2] += 0.5;
+    bench.tick_with(Some(sample), TICK_US, &[Request::Arm]);
+    assert_eq!(
+        bench.answer(bench.number),
+        Some(Reply::Refused(Refusal::ArmingBlocked(ArmingBlock::MOVING.0)))
+    );
+    bench.run(300);
+    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    bench.run(101);
+    bench.arm();
+}
+
+/// Every timeout hangs on the clock: one that runs backwards stops the motors, whatever they were doing.
+#[test]
+fn a_clock_that_runs_backwards_stops_the_motors() {
+    for state in ALL_STATES {
+        for back_us in [1, 10_000, 3_600_000_000] {
+            let mut bench = Bench::in_state(state);
+            bench.now_us = bench.now_us.saturating_sub(back_us + TICK_US);
+            bench.tick(&[]);
+            let motors_were_on = state.motors_on();
+            let want = if motors_were_on { FlightState::Stopped } else { state };
+            assert_eq!(bench.logic.state(), want, "{state:?}");
+            assert_eq!(bench.out.throttle, None);
+            if motors_were_on {
+                assert_eq!(bench.abort(), Some(AbortReason::Clock));
+            }
+        }
+    }
+}
+
+/// A lost link never raises the thrust: a vehicle that stood on the ground goes on standing there.
+#[test]
+fn a_lost_link_does_not_lift() {
+    let mut bench = Bench::armed();
+    bench.stream = Some(Setpoint { rates_radps: [0.0; 3], thrust_mps2: 1.5 });
+    bench.run(40);
+    assert_eq!(bench.logic.state(), FlightState::Flying);
+    bench.stream = None;
+    bench.run(FRESH_TICKS + 20);
+    assert_eq!(bench.logic.state(), FlightState::LinkLost);
+    assert_eq!(bench.out.setpoint.thrust_mps2, 1.5);
+    // From a hover it sinks.
+    let mut bench = Bench::in_state(FlightState::LinkLost);
+    bench.run(10);
+    assert!(bench.out.setpoint.thrust_mps2 < 9.81);
+    // And a battery reading that disappears changes no throttle.
+    let before = bench.out.throttle.expect("motors on");
+    bench.battery_v = None;
+    bench.run(1);
+    for (a, b) in before.iter().zip(bench.out.throttle.expect("motors on")) {
+        assert!((a - b).abs() < 0.02, "{a} {b}");
+    }
+}
+
+#[test]
+fn setpoints_beyond_sense_are_refused() {
+    let good = HOVER;
+    for bad in [
+        Setpoint { rates_radps: [1e30, 0.0, 0.0], ..good },
+        Setpoint { rates_radps: [0.0, -36.0, 0.0], ..good },
+        Setpoint { thrust_mps2: -1.0, ..good },
+        Setpoint { thrust_mps2: 101.0, ..good },
+    ] {
+        let mut bench = Bench::flying();
+        assert_eq!(bench.refusal(Request::Setpoint(bad)), Refusal::OutOfRange);
+        assert_eq!(bench.out.setpoint, good);
+    }
+}
+
+/// A maneuver flown blind to beyond its end is no complete one.
+#[test]
+fn a_gap_over_the_end_is_an_abort() {
+    let mut bench = Bench::maneuver();
+    let sample = bench.sample();
+    bench.tick_with(Some(sample), 2_000_000, &[]);
+    let telemetry = bench.telemetry();
+    assert_eq!(telemetry.abort, Some(AbortReason::LateTicks));
+    assert!(!telemetry.maneuver_complete);
+    assert!(telemetry.maneuver_missed_ticks >= 1598, "{}", telemetry.maneuver_missed_ticks);
+}
+
+#[test]
+fn an_impossible_battery_voltage_counts_as_unknown() {
+    let mut bench = Bench::ready();
+    for volts in [9e9, 3.0, f32::INFINITY] {
+        bench.battery_v = Some(volts);
+        assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::BATTERY_UNKNOWN.0));
+    }
 }
 
 /// A setpoint from before arming does not lift.

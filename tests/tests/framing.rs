@@ -111,7 +111,7 @@ const STATES: [FlightState; 6] = [
     FlightState::Stopped,
 ];
 
-const ABORTS: [AbortReason; 10] = [
+const ABORTS: [AbortReason; 11] = [
     AbortReason::IdleTimeout,
     AbortReason::OffPlan,
     AbortReason::LateTicks,
@@ -120,6 +120,7 @@ const ABORTS: [AbortReason; 10] = [
     AbortReason::GyroSaturated,
     AbortReason::GyroFrozen,
     AbortReason::GyroMissing,
+    AbortReason::Clock,
     AbortReason::KillSwitch,
     AbortReason::EmergencyStop,
 ];
@@ -138,6 +139,7 @@ fn refusals() -> Vec<Refusal> {
         Refusal::BatteryLow,
         Refusal::NotFinite,
         Refusal::NoRecord,
+        Refusal::OutOfRange,
     ]
 }
 
@@ -145,12 +147,16 @@ prop_compose! {
     fn telemetry()(
         time_us in any::<u64>(), state in select(&STATES[..]), arming_block in any::<u16>(),
         abort in prop::option::of(select(&ABORTS[..])), table in any::<u32>(), floats in prop::array::uniform5(float()),
-        maneuver_complete in any::<bool>(), counts in prop::array::uniform6(any::<u32>()),
+        maneuver_complete in any::<bool>(), counts in prop::array::uniform8(any::<u32>()),
     ) -> Telemetry {
         let [maneuver_s, battery_v, x, y, z] = floats;
-        let [ticks, late_ticks, missing_samples, worst_interval_us, link_errors, recorded] = counts;
+        let [
+            ticks, late_ticks, missing_samples, worst_interval_us, link_errors, recorded, maneuver_ticks,
+            maneuver_missed_ticks,
+        ] = counts;
         Telemetry {
-            time_us, state, arming_block, abort, table, maneuver_s, maneuver_complete, battery_v,
+            time_us, state, arming_block, abort, table, maneuver_s, maneuver_complete, maneuver_ticks,
+            maneuver_missed_ticks, battery_v,
             rates_radps: [x, y, z], ticks, late_ticks, missing_samples, worst_interval_us, link_errors, recorded,
         }
     }
@@ -400,6 +406,8 @@ fn the_largest_messages_fit() {
         table: u32::MAX,
         maneuver_s: f32::MAX,
         maneuver_complete: true,
+        maneuver_ticks: u32::MAX,
+        maneuver_missed_ticks: u32::MAX,
         battery_v: f32::MAX,
         rates_radps: [f32::MIN; 3],
         ticks: u32::MAX,
@@ -498,6 +506,8 @@ fn the_bytes_on_the_line_are_these() {
         table: 0xdead_beef,
         maneuver_s: 1.5,
         maneuver_complete: true,
+        maneuver_ticks: 1129,
+        maneuver_missed_ticks: 4,
         battery_v: 15.25,
         rates_radps: [0.25, -0.5, 1.0],
         ticks: 800,
@@ -510,7 +520,7 @@ fn the_bytes_on_the_line_are_these() {
     let down = |message| hex(&frame_of(&Downlink { version: PROTOCOL_VERSION, message }));
     assert_eq!(
         down(Message::Telemetry(telemetry)),
-        "0f0101c0843d02100101effdb6f50d0104c03f01010374410103803e010102bf0110803fa0060102940a03e9080b4a059300"
+        "0f0101c0843d02100101effdb6f50d0107c03f01e90804010374410103803e010102bf0110803fa0060102940a03e9088704ec1d00"
     );
     let refused = Reply::Refused(Refusal::Table(TableError::Limits(LimitsError::CannotLift)));
     assert_eq!(down(Message::Reply { number: 301, reply: refused }), "020109ad0207040506b24f027800");

@@ -398,11 +398,16 @@ fn every_refusal_has_its_reason() {
         ),
         ("too little thrust", fits(&table, able(1.01, 30.0, 15.0)), TableError::BeyondVehicle),
         ("too much thrust", fits(&table, able(1.0, 19.9, 15.0)), TableError::BeyondVehicle),
+        (
+            "the Moon's gravity",
+            fits(&table, PlanLimits { gravity_mps2: 1.62, ..able(1.0, 30.0, 15.0) }),
+            TableError::Gravity,
+        ),
         ("too much rate", fits(&table, able(1.0, 30.0, 9.9)), TableError::BeyondVehicle),
         ("a vehicle of NaN thrust", fits(&table, able(1.0, nan, 15.0)), TableError::BeyondVehicle),
         ("a vehicle of NaN idle", fits(&table, able(nan, 30.0, 15.0)), TableError::BeyondVehicle),
     ];
-    let mut seen = [false; 15];
+    let mut seen = [false; 16];
     for (what, got, want) in cases {
         assert_eq!(got, Err(want), "{what}");
         let index = match want {
@@ -421,11 +426,12 @@ fn every_refusal_has_its_reason() {
             TableError::ArcRate => 12,
             TableError::End => 13,
             TableError::BeyondVehicle => 14,
+            TableError::Gravity => 15,
         };
         seen[index] = true;
         assert!(!want.to_string().is_empty());
     }
-    assert_eq!(seen, [true; 15]);
+    assert_eq!(seen, [true; 16]);
     // And the bounds themselves are inside.
     assert_eq!(table.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()));
     let own = forged(&table, |b| b[at::VEHICLE].copy_from_slice(&7u32.to_le_bytes())).expect("it decodes");
@@ -433,7 +439,7 @@ fn every_refusal_has_its_reason() {
 }
 
 fn able(thrust_min_mps2: f32, thrust_max_mps2: f32, rate_max_radps: f32) -> PlanLimits {
-    PlanLimits { thrust_min_mps2, thrust_max_mps2, rate_max_radps }
+    PlanLimits { thrust_min_mps2, thrust_max_mps2, rate_max_radps, gravity_mps2: 9.81 }
 }
 
 /// The table, if such a vehicle may fly it.

@@ -12,10 +12,10 @@ use mintime::report;
 use mintime::solver::Turns;
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
-use super::numbers;
 use super::progress::Progress;
 use super::solve::write_bytes;
 use super::table::read_bytes;
+use super::{numbers, print};
 use super::{recording, summary};
 
 /// Arguments of `mintime fly`.
@@ -86,7 +86,7 @@ impl Fly {
             Ok(_) => ExitCode::FAILURE,
             Err(error) => {
                 if self.json {
-                    println!("{}", serde_json::json!({ "error": error.to_string() }));
+                    print(&serde_json::json!({ "error": error.to_string() }).to_string());
                 }
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
@@ -115,6 +115,7 @@ impl Fly {
 
     fn fly(&self) -> Result<Outcome, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
+        distinct([Some(&self.log), Some(&self.report), self.save_table.as_ref()])?;
         check_writable(&self.log)?;
         report::check(&self.report)?;
         self.save_table.as_deref().map(check_writable).transpose()?;
@@ -136,9 +137,9 @@ impl Fly {
         report::write(&recording::report(&mission, &flown), &self.report)?;
         progress.finish();
         if self.json {
-            println!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report)));
+            print(&format!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report))));
         } else {
-            println!("{}", summary::text(&flown, &[&self.log, &self.report]));
+            print(&summary::text(&flown, &[&self.log, &self.report]));
         }
         match flown.flight {
             Ok(result) => Ok(result.outcome),
@@ -148,4 +149,15 @@ impl Fly {
             }
         }
     }
+}
+
+/// Refuses to write two outputs to one file.
+fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(), String> {
+    let absolute: Vec<_> = paths.into_iter().flatten().filter_map(|p| std::path::absolute(p).ok()).collect();
+    for (i, path) in absolute.iter().enumerate() {
+        if absolute[..i].contains(path) {
+            return Err(format!("{} is named for two outputs: give each a file of its own", path.display()));
+        }
+    }
+    Ok(())
 }

@@ -13,7 +13,7 @@ use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 use mintime_shared::table::MAX_TABLE_BYTES;
 
 use super::answer::{Answer, Solved, answer};
-use super::{batch, numbers};
+use super::{batch, numbers, print};
 
 /// Arguments of `mintime solve`.
 #[derive(Args)]
@@ -75,7 +75,7 @@ impl Solve {
         };
         done.unwrap_or_else(|error| {
             if self.json {
-                println!("{}", serde_json::json!({ "error": error.to_string() }));
+                print(&serde_json::json!({ "error": error.to_string() }).to_string());
             }
             eprintln!("mintime: {error}");
             ExitCode::FAILURE
@@ -87,7 +87,7 @@ impl Solve {
         let answers = batch::answer_file(path)?;
         match &self.output {
             Some(output) => write_text(output, &answers.text)?,
-            None => std::io::stdout().write_all(answers.text.as_bytes())?,
+            None => print(answers.text.trim_end()),
         }
         if answers.failed > 0 {
             eprintln!("mintime: {} requests have no answer; their lines say why", answers.failed);
@@ -131,9 +131,9 @@ impl Solve {
             );
         }
         if self.json {
-            println!("{:#}", serde_json::to_value(&answer)?);
+            print(&format!("{:#}", serde_json::to_value(&answer)?));
         } else {
-            println!("{}", page(&answer));
+            print(&page(&answer));
         }
         Ok(())
     }

@@ -14,8 +14,8 @@ use mintime::solver::{Request, Solution, SolveError, Turns, solve};
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
 use super::answer::{rate_word, thrust_word};
-use super::numbers;
 use super::solve::write_text;
+use super::{numbers, print};
 
 /// Arguments of `mintime sweep`.
 #[derive(Args)]
@@ -100,7 +100,7 @@ impl Sweep {
         points.map_err(Box::from).and_then(|points| common.sweep(&points)).unwrap_or_else(
             |error: Box<dyn Error>| {
                 if common.json {
-                    println!("{}", serde_json::json!({ "error": error.to_string() }));
+                    print(&serde_json::json!({ "error": error.to_string() }).to_string());
                 }
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
@@ -161,20 +161,20 @@ impl Common {
         let failed = solved.iter().filter(|p| matches!(p, Point::Failed(_))).count();
         let csv = csv(points, &solved);
         match &self.output {
-            None => print!("{csv}"),
+            None => print(csv.trim_end()),
             Some(path) => {
                 write_text(path, &csv)?;
                 if self.json {
                     let summary = serde_json::json!({
                         "points": points.len(), "failed": failed, "wall_time_s": wall_time_s, "output": path,
                     });
-                    println!("{summary:#}");
+                    print(&format!("{summary:#}"));
                 } else {
-                    println!(
+                    print(&format!(
                         "{} points, {failed} without answer, {wall_time_s:.2} s: {}",
                         points.len(),
                         path.display()
-                    );
+                    ));
                 }
             }
         }

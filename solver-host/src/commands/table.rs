@@ -13,6 +13,7 @@ use mintime_shared::table::{ANY_VEHICLE, Kind, ManeuverTable};
 use serde_json::{Value, json};
 
 use super::answer::{rate_word, thrust_word};
+use super::print;
 
 /// A table from `f32` numbers may be this much slower than the exact optimum, relative.
 const ROUNDING: f64 = 1.0e-6;
@@ -54,7 +55,7 @@ impl TableFile {
             Ok((table, bytes)) => {
                 let (value, good) = look(&table, bytes);
                 if self.json {
-                    println!("{value:#}");
+                    print(&format!("{value:#}"));
                 } else {
                     print_plain(&value);
                 }
@@ -62,7 +63,7 @@ impl TableFile {
             }
             Err(error) => {
                 if self.json {
-                    println!("{}", json!({ "error": error.to_string() }));
+                    print(&json!({ "error": error.to_string() }).to_string());
                 }
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
@@ -175,10 +176,10 @@ fn print_plain(value: &Value) {
             Value::Null => {}
             Value::Array(items) if items.iter().any(Value::is_object) => {
                 for (i, item) in items.iter().enumerate() {
-                    println!("{:<20} {}", if i == 0 { name } else { "" }, plain(item));
+                    print(&format!("{:<20} {}", if i == 0 { name } else { "" }, plain(item)));
                 }
             }
-            other => println!("{name:<20} {}", plain(other)),
+            other => print(&format!("{name:<20} {}", plain(other))),
         }
     }
 }

@@ -156,5 +156,7 @@ fn transmit(line: &mut impl Connection, number: u16, request: Request) -> Result
     let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
     // No request of the protocol is longer than a frame; the type bounds every part.
     let frame = encode(&uplink).map_err(|e| std::io::Error::other(e.to_string()))?;
+    // A zero first: whatever noise or half a frame came before, this frame begins afresh.
+    line.send(&[0])?;
     line.send(frame.as_bytes())
 }

@@ -18,8 +18,8 @@ pub use position_control::{Reference, control};
 
 use connection::describe;
 use mintime_shared::messages::{
-    AbortReason, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
-    Setpoint,
+    AbortReason, ArmingBlock, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
+    Request, Setpoint,
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
@@ -55,9 +55,9 @@ const CATCH_TIMEOUT_S: f64 = 10.0;
 const READY_TIMEOUT_S: f64 = 10.0;
 /// After the trigger the vehicle reports a maneuver within this, s.
 const TRIGGER_TIMEOUT_S: f64 = 0.5;
-/// Height above the ground at which the motors stop, m, and the speed below which it counts as standing.
+/// Height above the ground at which the motors stop, m.
 const LANDED_HEIGHT_M: f64 = 0.02;
-/// The cameras see a standing vehicle's height within this, m: it is on the ground before take-off.
+/// A touch-down takes no longer than this, s.
 const LAND_TIMEOUT_S: f64 = 60.0;
 
 /// What to fly and where.
@@ -150,9 +150,11 @@ pub struct FlightResult {
     pub identity: Identity,
     /// Duration flown, s: T if the maneuver ran to its end.
     pub flown_duration_s: f64,
-    /// The vehicle's record.
+    /// The vehicle's record: the first of its ticks, as many as its memory holds.
     pub record: Vec<RecordedTick>,
-    /// Late ticks during the maneuver, by the record.
+    /// Control ticks of the maneuver.
+    pub ticks: u32,
+    /// Ticks that are missing between them by the vehicle's clock.
     pub missed_ticks: u32,
 }
 
@@ -162,6 +164,24 @@ pub trait Witness {
     fn phase(&mut self, phase: Phase, now_s: f64);
     /// Something worth a line.
     fn event(&mut self, now_s: f64, text: &str);
+}
+
+/// How a maneuver ended.
+enum Ended {
+    /// At T.
+    Complete,
+    /// Before, by the vehicle.
+    Aborted(AbortReason),
+    /// It never began.
+    Refused(Refusal),
+}
+
+/// Whether arming may work a moment later without anybody's doing: the gyro calibrates, the vehicle comes to rest. For
+/// everything else a person is asked; a vehicle must not arm because somebody let go of a switch.
+fn passes_by_itself(refusal: Refusal) -> bool {
+    use ArmingBlock as B;
+    let passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0;
+    matches!(refusal, Refusal::ArmingBlocked(bits) if bits & !passing == 0)
 }
 
 /// A flight under way.
@@ -239,9 +259,21 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let mut flown_duration_s = 0.0;
         if reason.is_none() {
             self.enter(Phase::Maneuver);
-            reason = self.maneuver(plan, checksum)?.map(|abort| abort.to_string());
-            flown_duration_s = self.client.telemetry().map_or(0.0, |t| f64::from(t.maneuver_s));
-            outcome = if reason.is_some() { Outcome::Aborted } else { Outcome::Completed };
+            match self.maneuver(plan, checksum)? {
+                // The vehicle said no and hovers: bring it down in peace.
+                Ended::Refused(refusal) => reason = Some(refusal.to_string()),
+                Ended::Aborted(abort) => {
+                    (outcome, reason) = (Outcome::Aborted, Some(abort.to_string()));
+                }
+                Ended::Complete => outcome = Outcome::Completed,
+            }
+        }
+        let mut counts = (0, 0);
+        if outcome != Outcome::NotTriggered {
+            if let Some(t) = self.client.telemetry() {
+                flown_duration_s = f64::from(t.maneuver_s);
+                counts = (t.maneuver_ticks, t.maneuver_missed_ticks);
+            }
             self.enter(Phase::Catch);
             let target = Reference::hold(plan.end_m(), heading_rad);
             if !self.catch(&target)? && outcome == Outcome::Completed {
@@ -251,13 +283,17 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
                 ));
             }
         }
+        let (ticks, missed_ticks) = counts;
         self.enter(Phase::Land);
         self.land(ground.z, heading_rad)?;
         self.enter(Phase::Download);
         let record = if outcome == Outcome::NotTriggered { Vec::new() } else { self.download()? };
-        let late = |t: &&RecordedTick| f64::from(t.interval_us) > 1.5 * 1250.0;
-        let missed_ticks = record.iter().filter(late).count() as u32;
-        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, missed_ticks })
+        if (record.len() as u32) < ticks {
+            let text =
+                format!("the vehicle's recorder was full: {} of {ticks} ticks are recorded", record.len());
+            self.witness.event(self.now_s, &text);
+        }
+        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, ticks, missed_ticks })
     }
 
     fn enter(&mut self, phase: Phase) {
@@ -375,9 +411,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             match self.call("arming", Request::Arm) {
                 Ok(_) => return Ok(()),
-                // Calibration takes its time; the rest does not go away by waiting, but may (a person's hand).
                 Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
-                    if self.now_s - since > READY_TIMEOUT_S {
+                    if !passes_by_itself(refusal) || self.now_s - since > READY_TIMEOUT_S {
                         return Err(FlightError::NotReady(refusal));
                     }
                 }
@@ -471,11 +506,16 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         )))
     }
 
-    /// Triggers and waits for the end. `Some` with the reason if the vehicle broke it off.
-    fn maneuver(&mut self, plan: &FlightPlan, checksum: u32) -> Result<Option<AbortReason>, FlightError> {
+    /// Triggers and waits for the end.
+    fn maneuver(&mut self, plan: &FlightPlan, checksum: u32) -> Result<Ended, FlightError> {
         let played = Plan::new(&plan.table);
         let duration_s = f64::from(played.duration_s());
-        self.call("triggering the maneuver", Request::Trigger { checksum })?;
+        match self.call("triggering the maneuver", Request::Trigger { checksum }) {
+            Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
+                return Ok(Ended::Refused(refusal));
+            }
+            result => result?,
+        };
         self.calmness = Calmness::Agile;
         // The answer came within the tick that began it, and one pose ago.
         self.playing = Some((played, self.now_s - 0.005));
@@ -496,11 +536,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
             if late || (seen && t.state != FlightState::Maneuver) {
                 self.playing = None;
-                return Ok(if t.maneuver_complete {
-                    None
-                } else {
-                    Some(t.abort.unwrap_or(AbortReason::LateTicks))
-                });
+                let aborted = Ended::Aborted(t.abort.unwrap_or(AbortReason::LateTicks));
+                return Ok(if t.maneuver_complete { Ended::Complete } else { aborted });
             }
         }
     }
