@@ -29,6 +29,8 @@ pub(crate) struct Effort {
 impl Effort {
     /// Enough for almost every problem: the winner is the first start in five of six.
     pub(crate) const NORMAL: Self = Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false };
+    /// For a neighbour that serves as a stepping stone: there are more of them.
+    const NEIGHBOUR: Self = Self { path_budget: 200, paths: 3, ..Self::NORMAL };
     /// A second look at everything, some thirty times slower.
     pub(crate) const THOROUGH: Self = Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true };
 }
@@ -267,7 +269,11 @@ impl<'a> Search<'a> {
             }
             let displaced = detour.apply(&self.problem);
             // Only what arrives at the problem itself needs to pass the check.
-            let effort = Effort { everything: false, ..self.effort };
+            let effort = if self.effort.everything {
+                Effort { everything: false, ..self.effort }
+            } else {
+                Effort::NEIGHBOUR
+            };
             let mut search = Search::new(displaced, self.turns, effort, &|_, _| true, self.cancelled);
             search.newton.evaluations = self.newton.evaluations;
             search.pass(&displaced, false);
