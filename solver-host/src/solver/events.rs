@@ -6,6 +6,7 @@ use mintime_shared::motion::{Arc, advance, bang, singular};
 
 use super::linearise::Node;
 use super::problem::Problem;
+use super::scan::{Run, Scan, exact, sample, worse};
 use super::structure::{Candidate, INSERTED_LENGTH, MAX_SEGMENTS, Piece, opposite};
 
 /// Lengths below minus this are negative.
@@ -16,12 +17,6 @@ const IDLE: f64 = 1e-7;
 const LAW_TOLERANCE: f64 = 1e-9;
 /// Relative excess of the rate limit on an arc that still counts as rounding.
 const RATE_TOLERANCE: f64 = 1e-9;
-/// Largest angle between samples of the switching functions, rad.
-const SAMPLE_ANGLE: f64 = 0.12;
-
-/// Further samples in the first and last step, as parts of it.
-const NEAR_THE_ENDS: [f64; 2] = [1.0 / 512.0, 1.0 / 16.0];
-
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Repair {
@@ -31,15 +26,6 @@ pub(crate) enum Repair {
     Changed,
     /// No structure change helps here.
     Stuck,
-}
-
-/// One sample of a bang.
-#[derive(Clone, Copy)]
-struct Sample {
-    /// Angle since the piece began.
-    a: f64,
-    h: f64,
-    phi_t: f64,
 }
 
 /// Checks the laws in the order negative lengths, arc rate, thrust, rate, and repairs the worst violation of the first
@@ -81,6 +67,14 @@ pub(crate) fn repair(problem: &Problem, mu: f64, candidate: &mut Candidate) -> R
             thrust_scan.add(s.a, sign * s.phi_t);
             rate_scan.add(s.a, s.h);
         });
+        for (at, curvature) in thrust_scan.dips.clone() {
+            let phi_t = exact(problem, mu, &costate, piece, &nodes[i], at).phi_t;
+            thrust_scan.dip(at, curvature, sign * phi_t, piece.length);
+        }
+        for (at, curvature) in rate_scan.dips.clone() {
+            let h = exact(problem, mu, &costate, piece, &nodes[i], at).h;
+            rate_scan.dip(at, curvature, h, piece.length);
+        }
         thrust_run = worse(thrust_run, thrust_scan.finish(piece.length));
         rate_run = worse(rate_run, rate_scan.finish(piece.length));
     }
@@ -95,13 +89,6 @@ pub(crate) fn repair(problem: &Problem, mu: f64, candidate: &mut Candidate) -> R
 
 fn done(changed: bool) -> Repair {
     if changed { Repair::Changed } else { Repair::Stuck }
-}
-
-fn worse(a: Option<Run>, b: Option<Run>) -> Option<Run> {
-    match (a, b) {
-        (Some(x), Some(y)) => Some(if y.depth > x.depth { y } else { x }),
-        (x, y) => x.or(y),
-    }
 }
 
 /// States between the pieces.
@@ -119,107 +106,6 @@ pub(crate) fn trace(problem: &Problem, mu: f64, candidate: &Candidate) -> [Node;
     }
     nodes[candidate.pieces.len()] = Node { t, state: state.to_array() };
     nodes
-}
-
-/// h and Φ_T along a bang, ends included. Next to the ends the samples stand closer: where a switch should have become
-/// an arc, h dips below zero right beside it, for less than a whole step.
-fn sample(
-    problem: &Problem,
-    mu: f64,
-    costate: &Costate<f64>,
-    piece: &Piece,
-    node: &Node,
-    mut each: impl FnMut(Sample),
-) {
-    let count = (piece.length / SAMPLE_ANGLE) as usize + 2;
-    let step = piece.length / count as f64;
-    let sign = piece.sign();
-    let thrust = problem.thrust(piece.inputs.thrust);
-    let (s0, c0) = libm::sincos(node.state[4]);
-    let mut look = |a: f64, (s, c): (f64, f64)| {
-        let t = node.t + mu * a;
-        // ∫(sin θ, cos θ) dt at constant rate.
-        let vx = node.state[1] + thrust * mu * sign * (c0 - c);
-        let vz = node.state[3] + thrust * mu * sign * (s - s0) - mu * a;
-        let (p2, p4) = (costate.p2(t), costate.p4(t));
-        let phi_t = p2 * s + p4 * c;
-        each(Sample { a, h: 1.0 + costate.c1 * vx + costate.c3 * vz + thrust * phi_t - p4, phi_t });
-    };
-    let direction = |a: f64| libm::sincos(node.state[4] + sign * a);
-    look(0.0, (s0, c0));
-    for a in NEAR_THE_ENDS.map(|part| part * step) {
-        look(a, direction(a));
-    }
-    let (ds, dc) = libm::sincos(sign * step);
-    let (mut s, mut c) = (s0, c0);
-    for i in 1..count {
-        (s, c) = (s * dc + c * ds, c * dc - s * ds);
-        look(step * i as f64, (s, c));
-    }
-    for a in NEAR_THE_ENDS.map(|part| piece.length - part * step).into_iter().rev().chain([piece.length]) {
-        look(a, direction(a));
-    }
-}
-
-/// An interval of a bang on which a function that should not be negative is.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    piece: usize,
-    /// Angles where it begins and ends.
-    from: f64,
-    to: f64,
-    /// Angle of the worst sample.
-    at: f64,
-    depth: f64,
-}
-
-/// Finds the deepest run of negative values in a sequence of samples.
-struct Scan {
-    piece: usize,
-    tolerance: f64,
-    previous: Option<(f64, f64)>,
-    open: Option<Run>,
-    worst: Option<Run>,
-}
-
-impl Scan {
-    fn new(piece: usize, tolerance: f64) -> Self {
-        Self { piece, tolerance, previous: None, open: None, worst: None }
-    }
-
-    fn add(&mut self, a: f64, value: f64) {
-        let crossing = match self.previous {
-            Some((b, v)) if (v < 0.0) != (value < 0.0) => b + (a - b) * v / (v - value),
-            _ => a,
-        };
-        if value < 0.0 {
-            let run =
-                self.open.get_or_insert(Run { piece: self.piece, from: crossing, to: a, at: a, depth: 0.0 });
-            run.to = a;
-            if -value > run.depth {
-                run.depth = -value;
-                run.at = a;
-            }
-        } else if let Some(mut run) = self.open.take() {
-            run.to = crossing;
-            self.close(run);
-        }
-        self.previous = Some((a, value));
-    }
-
-    fn close(&mut self, run: Run) {
-        if run.depth > self.tolerance {
-            self.worst = worse(self.worst, Some(run));
-        }
-    }
-
-    fn finish(mut self, length: f64) -> Option<Run> {
-        if let Some(mut run) = self.open.take() {
-            run.to = length;
-            self.close(run);
-        }
-        self.worst
-    }
 }
 
 fn most_negative(candidate: &Candidate) -> Option<usize> {

@@ -20,6 +20,7 @@
 //! ```
 
 mod dense;
+mod detour;
 mod dual;
 mod events;
 mod extremal;
@@ -32,6 +33,7 @@ mod problem;
 mod relax;
 mod request;
 mod rotation;
+mod scan;
 mod search;
 mod sensitivity;
 mod starts;
@@ -52,6 +54,7 @@ pub use windings::{solve_all_windings, solve_all_windings_cancellable};
 use newton::Newton;
 use problem::Problem;
 use search::{Effort, Search};
+use structure::Candidate;
 
 /// The minimum-time maneuver for a request.
 ///
@@ -125,34 +128,32 @@ fn solve_core(
         Turns::Exactly(k) => Some(k),
     };
     let problem = Problem::new(request.from, request.to, &request.limits, 0);
-    let mut search = Search::new(problem, fixed, effort, cancelled);
+    let extremal_of = |candidate: &Candidate, turns: i32| {
+        Extremal::new(request.from, request.to, &request.limits, turns, candidate)
+    };
+    let verified = |candidate: &Candidate, turns: i32| verify(&extremal_of(candidate, turns)).verified;
+    let mut search = Search::new(problem, fixed, effort, &verified, cancelled);
     let finished = search.run();
     let evaluations = search.newton.evaluations;
     if !finished {
         return Err(SolveError::Cancelled { evaluations });
     }
-    let mut winner: Option<(Extremal, Certificate)> = None;
-    let mut alternatives = heapless::Vec::new();
-    let mut feasible_s: Option<f64> = None;
-    for found in &search.found {
-        let extremal =
-            Extremal::new(request.from, request.to, &request.limits, found.turns, &found.candidate);
+    let rate = request.limits.rate_max_radps;
+    if let Some((best, others)) = search.found.split_first() {
+        let extremal = extremal_of(&best.candidate, best.turns);
         let certificate = verify(&extremal);
-        let duration_s = extremal.duration_s();
-        if !certificate.verified {
-            feasible_s = Some(feasible_s.map_or(duration_s, |t| t.min(duration_s)));
-        } else if winner.is_none() {
-            winner = Some((extremal, certificate));
-        } else {
-            // As many as there are windings, at most.
-            let _ = alternatives.push(Alternative { turns: found.turns, duration_s });
+        let alternatives = others
+            .iter()
+            .take(MAX_ALTERNATIVES)
+            .map(|f| Alternative { turns: f.turns, duration_s: f.duration / rate })
+            .collect();
+        // Everything kept has passed; a mirror image of it passes too.
+        if certificate.verified {
+            return Ok(Solution { extremal, certificate, alternatives, evaluations });
         }
     }
-    if let Some((extremal, certificate)) = winner {
-        return Ok(Solution { extremal, certificate, alternatives, evaluations });
-    }
+    let feasible_s = search.refused.is_finite().then_some(search.refused / rate);
     let turns = fixed.unwrap_or(0);
-    let rate = request.limits.rate_max_radps;
     let wound = Problem::new(request.from, request.to, &request.limits, turns);
     let relaxed_s = relax::relax(&wound).map_or(0.0, |r| r.lower_bound / rate);
     let turning_s = if fixed.is_some() { wound.turn().abs() / rate } else { 0.0 };

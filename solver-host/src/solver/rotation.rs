@@ -22,6 +22,10 @@ const NODES: usize = 96;
 const SMOOTHING: [f64; 5] = [1.0, 0.3, 0.1, 0.03, 0.01];
 /// Newton iterations for each.
 const ITERATIONS: usize = 8;
+/// Nodes on either side of a touching point that count towards it.
+const TOUCH_NODES: usize = 4;
+/// Half of the shortest piece worth starting from, rad.
+const SHORTEST_PIECE: f64 = 1e-3;
 /// Iterations of the exact correction of the switching times, and the end error (relative) at which it is done.
 const CORRECTIONS: usize = 20;
 const ARRIVED: f64 = 1e-14;
@@ -52,10 +56,18 @@ pub(crate) fn rotation_limited(problem: &Problem) -> Option<Candidate> {
     // Read off the switches, then move them as little as possible until the end is met exactly.
     let mut switches: Vec<f64, MAX_SEGMENTS> = Vec::new();
     let step = duration / NODES as f64;
+    let at: [f64; NODES + 1] = core::array::from_fn(|i| w(step * i as f64));
     for i in 0..NODES {
-        let (t, a, b) = (step * i as f64, w(step * i as f64), w(step * (i + 1) as f64));
+        let (t, a, b) = (step * i as f64, at[i], at[i + 1]);
         if (a < 0.0) != (b < 0.0) {
             switches.push(t + step * a / (a - b)).ok()?;
+        } else if i > 0 && a.abs() < at[i - 1].abs() && a.abs() <= b.abs() && (at[i - 1] < 0.0) == (a < 0.0) {
+            // w almost touches zero: what the smoothed thrust gives way here is a short piece of the other level.
+            let half = 0.5 * given_way(&at, i) * step;
+            if half > SHORTEST_PIECE && half < 2.0 * step {
+                switches.push(t - half).ok()?;
+                switches.push(t + half).ok()?;
+            }
         }
     }
     let first = if w(0.0) < 0.0 { ThrustLevel::Max } else { ThrustLevel::Min };
@@ -75,6 +87,13 @@ pub(crate) fn rotation_limited(problem: &Problem) -> Option<Candidate> {
     }
     // Rounding may keep it above the target; the caller verifies.
     assemble(&switches, duration, sign, first)
+}
+
+/// How many nodes' worth of the other thrust level the smoothed solution uses around a node where |w| is least.
+fn given_way(w: &[f64; NODES + 1], node: usize) -> f64 {
+    let epsilon = SMOOTHING[SMOOTHING.len() - 1];
+    let near = node.saturating_sub(TOUCH_NODES)..=(node + TOUCH_NODES).min(NODES);
+    near.map(|i| 0.5 * (1.0 - w[i].abs() / libm::sqrt(w[i] * w[i] + epsilon * epsilon))).sum()
 }
 
 /// λ by Newton's method on the smoothed dual, which is concave: smoothing towards zero. `None` where it diverges, as it

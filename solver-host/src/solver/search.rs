@@ -1,9 +1,10 @@
 //! The search over starts: which continuations to run, in what order, and what to try when they fail.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use heapless::Vec;
 
+use super::detour::DETOURS;
 use super::newton::Newton;
 use super::path::{Bounds, Dead, Family, follow, settle};
 use super::problem::{Direction, Problem};
@@ -33,6 +34,8 @@ impl Effort {
         Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false, insist: true };
     /// For windings that have lost already: backwards too where nothing is found, no more.
     pub(crate) const LIGHT: Self = Self { insist: false, ..Self::NORMAL };
+    /// For a neighbour that serves as a stepping stone: there are more of them.
+    const NEIGHBOUR: Self = Self { path_budget: 200, paths: 3, ..Self::NORMAL };
     /// A second look at everything, some thirty times slower.
     pub(crate) const THOROUGH: Self =
         Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true, insist: true };
@@ -68,6 +71,10 @@ pub(crate) struct Search<'a> {
     /// Winding 0.
     problem: Problem,
     turns: Option<i32>,
+    /// Passes the independent check, given the winding.
+    verified: &'a dyn Fn(&Candidate, i32) -> bool,
+    /// T of the fastest maneuver that did not pass.
+    pub(crate) refused: f64,
     cancelled: &'a dyn Fn() -> bool,
     pub(crate) newton: Newton,
     /// Best of each winding.
@@ -84,12 +91,15 @@ impl<'a> Search<'a> {
         problem: Problem,
         turns: Option<i32>,
         effort: Effort,
+        verified: &'a dyn Fn(&Candidate, i32) -> bool,
         cancelled: &'a dyn Fn() -> bool,
     ) -> Self {
         Self {
             effort,
             problem,
             turns,
+            verified,
+            refused: f64::INFINITY,
             cancelled,
             newton: Newton::new(),
             found: Vec::new(),
@@ -266,12 +276,13 @@ impl<'a> Search<'a> {
                 return;
             }
             let displaced = detour.apply(&self.problem);
-            let mut search = Search::new(
-                displaced,
-                self.turns,
-                Effort { everything: false, ..self.effort },
-                self.cancelled,
-            );
+            // Only what arrives at the problem itself needs to pass the check.
+            let effort = if self.effort.everything {
+                Effort { everything: false, ..self.effort }
+            } else {
+                Effort::NEIGHBOUR
+            };
+            let mut search = Search::new(displaced, self.turns, effort, &|_, _| true, self.cancelled);
             search.newton.evaluations = self.newton.evaluations;
             search.pass(&displaced, false);
             if search.found.is_empty() {
@@ -312,11 +323,18 @@ impl<'a> Search<'a> {
         if !(duration.is_finite() && duration > 0.0) {
             return;
         }
+        if self.found.iter().any(|f| f.turns == turns && duration >= f.duration * (1.0 - TIE)) {
+            return;
+        }
+        if !(self.verified)(&candidate, turns) {
+            // As good as lost: somewhere near there may be one that passes.
+            self.refused = self.refused.min(duration);
+            let _ = self.lost.push((turns, duration));
+            return;
+        }
         let found = Found { candidate, turns, duration };
         if let Some(same) = self.found.iter_mut().find(|f| f.turns == turns) {
-            if duration < same.duration * (1.0 - TIE) {
-                *same = found;
-            }
+            *same = found;
         } else {
             // A full list means twelve windings: the others cannot win any more.
             let _ = self.found.push(found);
@@ -354,61 +372,3 @@ impl<'a> Search<'a> {
         });
     }
 }
-
-/// One problem near another.
-struct Detour {
-    /// Displacement of the end, relative to the distance, and its direction.
-    displacement: (f64, f64),
-    /// Change of the end's velocity (horizontal, vertical), relative to the speed.
-    velocity: (f64, f64),
-    /// Factor on the upper thrust limit.
-    thrust: f64,
-}
-
-impl Detour {
-    const fn moved(length: f64, direction: f64) -> Self {
-        Self { displacement: (length, direction), velocity: (0.0, 0.0), thrust: 1.0 }
-    }
-
-    const fn faster(horizontal: f64, vertical: f64) -> Self {
-        Self { displacement: (0.0, 0.0), velocity: (horizontal, vertical), thrust: 1.0 }
-    }
-
-    const fn stronger(thrust: f64) -> Self {
-        Self { displacement: (0.0, 0.0), velocity: (0.0, 0.0), thrust }
-    }
-
-    fn apply(&self, problem: &Problem) -> Problem {
-        let mut p = *problem;
-        let (f, g) = (&problem.from, &problem.to);
-        let distance = libm::hypot(g[0] - f[0], g[2] - f[2]).max(SHORT_DISTANCE);
-        let speed = libm::hypot(f[1], f[3]).max(libm::hypot(g[1], g[3]));
-        let (s, c) = libm::sincos(self.displacement.1);
-        p.to[0] += distance * self.displacement.0 * c;
-        p.to[2] += distance * self.displacement.0 * s;
-        p.to[1] += speed * self.velocity.0;
-        p.to[3] += speed * self.velocity.1;
-        p.u_max *= self.thrust;
-        p
-    }
-}
-
-/// Neighbours tried when a problem does not solve directly.
-const DETOURS: [Detour; 14] = [
-    Detour::moved(0.12, 0.4),
-    Detour::moved(0.12, 0.4 + 1.5 * PI),
-    Detour::moved(0.12, 0.4 + 0.5 * PI),
-    Detour::moved(0.12, 0.4 + PI),
-    Detour::stronger(0.94),
-    Detour::stronger(1.08),
-    Detour::faster(0.1, 0.05),
-    Detour::faster(-0.1, -0.05),
-    Detour::faster(-0.05, 0.1),
-    Detour::faster(0.05, -0.1),
-    Detour::moved(0.5, 0.9),
-    Detour::moved(0.5, 0.9 + PI),
-    Detour::moved(0.5, 0.9 + 0.5 * PI),
-    Detour::moved(0.5, 0.9 + 1.5 * PI),
-];
-/// Dimensionless displacement below which it is the turning that takes the time.
-const SHORT_DISTANCE: f64 = 5.0;
