@@ -8,10 +8,10 @@ use mintime_shared::messages::PROTOCOL_VERSION;
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
-use mintime_simulator::{ParameterError, SimulatorError, Truth, VehicleParameters};
+use mintime_simulator::{Model, ParameterError, SimulatorError, Truth, VehicleParameters};
 use nalgebra::Vector3;
 
-use crate::flight::{FlightError, FlightPlan, FlightResult, HostedVehicle, Trace, Witness, fly};
+use crate::flight::{FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Trace, Witness, fly};
 use crate::pack::{PackError, pack};
 use crate::solver::{Request, Solution, SolveError, Turns, solve};
 
@@ -20,6 +20,10 @@ pub const CATCH_DISTANCE_M: f64 = 1.0;
 /// ... plus this for each m/s of the path's peak speed, s. Drag and lag of a vehicle that has not learned its maneuver
 /// leave it with a part of that speed.
 pub const CATCH_TIME_S: f64 = 0.25;
+/// Thrust that the rotors must give over what is planned, so that attitude keeps authority at full thrust.
+pub const THRUST_MARGIN: f64 = 1.15;
+/// Gravity of plan and plant may differ by this, m/s².
+const GRAVITY_TOLERANCE_MPS2: f64 = 0.05;
 /// Step at which the path is sampled for its extent, s.
 const PATH_STEP_S: f64 = 1.0e-3;
 
@@ -192,6 +196,32 @@ pub enum MissionError {
         /// Of which to catch the vehicle, m.
         catch_m: f64,
     },
+    /// The room's numbers are in the wrong order.
+    #[error(
+        "the room is empty: give XMIN,XMAX,ZMIN,ZMAX with XMIN below zero below XMAX and ZMIN below zero below ZMAX"
+    )]
+    EmptyRoom,
+    /// The simulated world has another gravity than planned with.
+    #[error(
+        "the plant's gravity is {plant_mps2} m/s², the maneuver is planned with {planned_mps2} m/s²: use one of them"
+    )]
+    PlantGravity {
+        /// The plant's.
+        plant_mps2: f64,
+        /// The plan's.
+        planned_mps2: f64,
+    },
+    /// The simulated vehicle is too weak for the plan.
+    #[error(
+        "the plant gives {available_mps2:.1} m/s² of thrust at full throttle and the plan asks for {planned_mps2:.1} m/s²: at \
+         least {THRUST_MARGIN} times the plan is needed, or nothing is left for attitude; plan with less"
+    )]
+    PlantThrust {
+        /// At full throttle and nominal voltage.
+        available_mps2: f64,
+        /// Planned.
+        planned_mps2: f64,
+    },
     /// The table starts in motion or tilted: nobody can hover there.
     #[error(
         "the maneuver does not start at rest and level, so it cannot be flown from a hover: make one that does"
@@ -229,7 +259,7 @@ pub struct Flown {
     pub trace: Trace,
     /// Virtual time that the flight took, s.
     pub virtual_time_s: f64,
-    /// Wall time that solving and flying took, s.
+    /// Wall time that flying took, s.
     pub wall_time_s: f64,
 }
 
@@ -246,14 +276,15 @@ pub struct PlanarError {
     pub vz_mps: f64,
     /// Pitch angle.
     pub theta_rad: f64,
-    /// Pitch rate of the vehicle: the plan ends at rest.
+    /// Pitch rate. Plans begin at rest and end turning, often at the limit.
     pub pitch_rate_radps: f64,
 }
 
 impl PlanarError {
-    fn new(difference: State<f64>, truth: &Truth) -> Self {
+    fn new(difference: State<f64>, truth: &Truth, planned_rate_radps: f64) -> Self {
         let State { x, vx, z, vz, theta } = difference;
         let [_, pitch_rate_radps, _] = truth.rates_radps;
+        let pitch_rate_radps = pitch_rate_radps - planned_rate_radps;
         Self { x_m: x, vx_mps: vx, z_m: z, vz_mps: vz, theta_rad: theta, pitch_rate_radps }
     }
 }
@@ -264,7 +295,7 @@ impl Flown {
         let truth = self.trace.start.as_ref()?;
         let planned = self.prepared.table.start.cast::<f64>();
         let origin = State { x: planned.x, z: planned.z, ..State::origin() };
-        Some(PlanarError::new(truth.planar(self.heading_rad()).minus(planned.minus(origin)), truth))
+        Some(PlanarError::new(truth.planar(self.heading_rad()).minus(planned.minus(origin)), truth, 0.0))
     }
 
     /// Truth when the table's time had passed less the planned end, positions relative to the true start.
@@ -285,7 +316,45 @@ impl Flown {
             vz: flown.vz - planned.vz,
             theta: flown.theta - counted - planned.theta,
         };
-        Some(PlanarError::new(relative, end))
+        Some(PlanarError::new(relative, end, self.final_rate_radps()))
+    }
+
+    /// How it went, in one word: that of [`FlightResult::outcome`], `lost` for a flight that failed, `crashed` where the
+    /// vehicle hit the ground, whatever it reported itself.
+    pub fn outcome(&self) -> &'static str {
+        match &self.flight {
+            _ if self.crashed() => "crashed",
+            Ok(result) => result.outcome.name(),
+            Err(_) => "lost",
+        }
+    }
+
+    /// Why it went otherwise than planned, in words.
+    pub fn reason(&self) -> Option<String> {
+        let told = match &self.flight {
+            Ok(result) => result.reason.clone(),
+            Err(error) => Some(error.to_string()),
+        };
+        if !self.crashed() {
+            return told;
+        }
+        Some(format!("the vehicle hit the ground{}", told.map(|t| format!("; {t}")).unwrap_or_default()))
+    }
+
+    /// Flown to the end, caught and landed.
+    pub fn is_success(&self) -> bool {
+        !self.crashed() && self.flight.as_ref().is_ok_and(|r| r.outcome == Outcome::Completed)
+    }
+
+    fn crashed(&self) -> bool {
+        self.trace.last.as_ref().is_some_and(|truth| truth.crashed)
+    }
+
+    /// Pitch rate at which the plan ends, rad/s: it is still turning.
+    fn final_rate_radps(&self) -> f64 {
+        let plan = Plan::new(&self.prepared.table);
+        let (end_s, step_s) = (plan.duration_s(), 1.0e-4);
+        f64::from(plan.integrals((end_s - step_s).max(0.0), end_s).0 / step_s.min(end_s))
     }
 
     /// Heading of the maneuver's plane, rad.
@@ -331,9 +400,28 @@ pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, Mission
     let length = table.encode(&mut buffer)?;
     let extent = Extent::of(&Plan::new(&table));
     if let Some(room) = room {
+        if !(room.x_m.0 < 0.0 && room.x_m.1 > 0.0 && room.z_m.0 < 0.0 && room.z_m.1 > 0.0) {
+            return Err(MissionError::EmptyRoom);
+        }
         extent.check(room)?;
     }
     Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent })
+}
+
+/// Whether a simulated airframe can be expected to fly a plan at all.
+fn check_plant(plant: &VehicleParameters, table: &ManeuverTable) -> Result<(), MissionError> {
+    let planned = table.limits.cast::<f64>();
+    if (plant.gravity_mps2 - planned.gravity_mps2).abs() > GRAVITY_TOLERANCE_MPS2 {
+        return Err(MissionError::PlantGravity {
+            plant_mps2: plant.gravity_mps2,
+            planned_mps2: planned.gravity_mps2,
+        });
+    }
+    let available_mps2 = plant.thrust_mps2(1.0, plant.esc.nominal_v);
+    if plant.model == Model::RigidBody && available_mps2 < THRUST_MARGIN * planned.thrust_max_mps2 {
+        return Err(MissionError::PlantThrust { available_mps2, planned_mps2: planned.thrust_max_mps2 });
+    }
+    Ok(())
 }
 
 /// Flies a prepared maneuver on the hosted vehicle.
@@ -346,6 +434,7 @@ pub fn fly_hosted(
     witness: &mut impl Witness,
 ) -> Result<Flown, MissionError> {
     let clock = Instant::now();
+    check_plant(&mission.plant.parameters, &prepared.table)?;
     let floor_m = mission
         .room
         .map_or_else(|| prepared.extent.z_m.0 - prepared.extent.catch_distance_m(), |room| room.z_m.0);

@@ -45,9 +45,14 @@ pub(crate) struct Solved {
     pub(crate) maneuver: Option<(Solution, ManeuverTable)>,
 }
 
+/// Verification integrates every turn: beyond this rate it takes minutes, and no vehicle is there, rad/s.
+const RATE_MAX_RADPS: f64 = 1.0e5;
+
 /// Why a request has no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum AnswerError {
+    #[error("the maximum body rate is above {RATE_MAX_RADPS} rad/s: give one that a vehicle could have")]
+    Rate,
     #[error(transparent)]
     Solve(#[from] SolveError),
     #[error(transparent)]
@@ -58,6 +63,9 @@ pub(crate) enum AnswerError {
 
 /// Solves a request, packs the maneuver and replays the table.
 pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, AnswerError> {
+    if request.limits.rate_max_radps > RATE_MAX_RADPS {
+        return Err(AnswerError::Rate);
+    }
     let clock = Instant::now();
     let solution = match solve_all_windings(request) {
         Err(SolveError::AlreadyThere) => return Ok(Solved { answer: at_once(name), maneuver: None }),

@@ -21,7 +21,21 @@ struct Line {
     rate: f64,
     gravity: f64,
     #[serde(default)]
-    turns: Option<i32>,
+    turns: Option<Winding>,
+}
+
+/// A number of turns, or `any`.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Winding {
+    Exactly(i32),
+    Any(Any),
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Any {
+    Any,
 }
 
 impl Line {
@@ -36,7 +50,10 @@ impl Line {
                 rate_max_radps: self.rate,
                 gravity_mps2: self.gravity,
             },
-            turns: self.turns.map_or(Turns::Any, Turns::Exactly),
+            turns: match self.turns {
+                Some(Winding::Exactly(k)) => Turns::Exactly(k),
+                Some(Winding::Any(Any::Any)) | None => Turns::Any,
+            },
         }
     }
 }
@@ -51,6 +68,8 @@ pub(crate) struct Answers {
 pub(crate) fn answer_file(path: &Path) -> Result<Answers, String> {
     let text = std::fs::read_to_string(path)
         .map_err(|e| format!("{} cannot be read ({e}): give a file of JSON lines", path.display()))?;
+    // Some editors begin a file with a byte order mark.
+    let text = text.trim_start_matches('\u{feff}');
     let lines: Vec<(usize, &str)> = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty()).collect();
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     let share = lines.len().div_ceil(workers).max(1);

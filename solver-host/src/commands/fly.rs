@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use mintime::flight::Outcome;
 use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source};
 use mintime::report;
@@ -22,7 +21,7 @@ use super::{recording, summary};
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \
-                        mintime fly --to -3,4 --room -6,3,-2,8 --json"
+                        mintime fly --to -3,4 --room -8,4,-4,9 --json"
 )]
 pub(crate) struct Fly {
     /// Displacement to fly, m: along the plane and up
@@ -82,8 +81,8 @@ enum VehicleKind {
 impl Fly {
     pub(crate) fn run(self) -> ExitCode {
         match self.fly() {
-            Ok(Outcome::Completed) => ExitCode::SUCCESS,
-            Ok(_) => ExitCode::FAILURE,
+            Ok(true) => ExitCode::SUCCESS,
+            Ok(false) => ExitCode::FAILURE,
             Err(error) => {
                 if self.json {
                     print(&serde_json::json!({ "error": error.to_string() }).to_string());
@@ -113,7 +112,8 @@ impl Fly {
         Ok(Mission { source, plant: PlantChoice::from_argument(&self.plant)?, seed: self.seed, room })
     }
 
-    fn fly(&self) -> Result<Outcome, Box<dyn Error>> {
+    /// Whether it was flown to its end and caught.
+    fn fly(&self) -> Result<bool, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
         distinct([Some(&self.log), Some(&self.report), self.save_table.as_ref()])?;
         check_writable(&self.log)?;
@@ -141,18 +141,16 @@ impl Fly {
         } else {
             print(&summary::text(&flown, &[&self.log, &self.report]));
         }
-        match flown.flight {
-            Ok(result) => Ok(result.outcome),
-            Err(error) => {
-                eprintln!("mintime: {error}");
-                Ok(Outcome::Aborted)
-            }
+        if !flown.is_success() {
+            let reason = flown.reason().map(|r| format!(": {r}")).unwrap_or_default();
+            eprintln!("mintime: {}{reason}", flown.outcome());
         }
+        Ok(flown.is_success())
     }
 }
 
 /// Refuses to write two outputs to one file.
-fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(), String> {
+pub(super) fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(), String> {
     let absolute: Vec<_> = paths.into_iter().flatten().filter_map(|p| std::path::absolute(p).ok()).collect();
     for (i, path) in absolute.iter().enumerate() {
         if absolute[..i].contains(path) {

@@ -2,6 +2,7 @@
 
 mod answer;
 mod batch;
+mod explain;
 mod fly;
 mod numbers;
 mod progress;
@@ -50,9 +51,16 @@ impl Command {
     }
 }
 
-/// Prints a line. Whoever closed the pipe has read enough: that is no error.
+/// Prints a line. Whoever closed the pipe has read enough: that is no error. A full disk is, and ends the command.
 fn print(text: &str) {
     use std::io::Write as _;
     let mut out = std::io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.write_all(b"\n")).and_then(|()| out.flush());
+    let written =
+        out.write_all(text.as_bytes()).and_then(|()| out.write_all(b"\n")).and_then(|()| out.flush());
+    if let Err(error) = written
+        && error.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        eprintln!("mintime: the output could not be written ({error})");
+        std::process::exit(1);
+    }
 }

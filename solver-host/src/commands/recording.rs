@@ -1,6 +1,6 @@
 //! What a flown mission leaves in files: the log and the picture.
 
-use mintime::flight_log::{FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
+use mintime::flight_log::{EventLevel, FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
 use mintime::mission::{Flown, Mission, Prepared};
 use mintime::report::{FlownSample, ReportData};
 use mintime_shared::model::{RateMode, Segment, State, ThrustLevel};
@@ -34,7 +34,9 @@ pub(crate) fn planned(prepared: &Prepared) -> Vec<PlannedSample> {
             }
             None => {
                 let t = t_s as f32;
-                let (angle, impulse) = plan.integrals(t, t + 1.0e-4);
+                // At the very end what was commanded until then: beyond it there is nothing.
+                let from = t.min(plan.duration_s() - 1.0e-4).max(0.0);
+                let (angle, impulse) = plan.integrals(from, from + 1.0e-4);
                 PlannedSample {
                     t_s,
                     state: plan.state_at(t).cast(),
@@ -50,7 +52,8 @@ pub(crate) fn planned(prepared: &Prepared) -> Vec<PlannedSample> {
 }
 
 /// The flight log.
-pub(crate) fn log(mission: &Mission, flown: &Flown, events: Vec<LogEvent>) -> FlightLog {
+pub(crate) fn log(mission: &Mission, flown: &Flown, mut events: Vec<LogEvent>) -> FlightLog {
+    events.push(verdict(flown));
     let table = &flown.prepared.table;
     let mut facts = Vec::new();
     if let Ok(result) = &flown.flight {
@@ -90,6 +93,14 @@ pub(crate) fn log(mission: &Mission, flown: &Flown, events: Vec<LogEvent>) -> Fl
     }
 }
 
+/// The last event: how it went, and why.
+fn verdict(flown: &Flown) -> LogEvent {
+    let time_ns = (flown.virtual_time_s * 1e9).round() as u64;
+    let reason = flown.reason().map(|r| format!(": {r}")).unwrap_or_default();
+    let level = if flown.is_success() { EventLevel::Info } else { EventLevel::Error };
+    LogEvent { time_ns, text: format!("{}{reason}", flown.outcome()), level }
+}
+
 /// What the picture shows.
 pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     let table = &flown.prepared.table;
@@ -97,7 +108,7 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     let duration_s = f64::from(table.duration_s());
     let mut facts = vec![
         ("T".to_owned(), format!("{duration_s:.4} s")),
-        ("full turns".to_owned(), flown.turns().to_string()),
+        ("turns".to_owned(), flown.turns().to_string()),
         ("segments".to_owned(), table.segments().len().to_string()),
         ("table".to_owned(), format!("{} bytes", flown.prepared.bytes.len())),
         ("peak speed".to_owned(), format!("{:.2} m/s", flown.prepared.extent.peak_speed_mps)),
@@ -107,17 +118,21 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         facts.push(("end error, velocity".to_owned(), format!("{:.3} m/s", e.vx_mps.hypot(e.vz_mps))));
         facts.push(("end error, pitch".to_owned(), format!("{:.4} rad", e.theta_rad)));
     }
-    let outcome = flown.flight.as_ref().map_or("lost", |r| r.outcome.name());
+    let outcome = flown.outcome();
     ReportData {
         title: format!(
             "Minimum-time maneuver to x = {} m, z = {} m",
             end.x - table.start.x,
             end.z - table.start.z
         ),
-        subtitle: vec![format!(
+        subtitle: [Some(format!(
             "T = {duration_s:.4} s; flown on the hosted vehicle, plant {}, seed {}: {outcome}",
             mission.plant.name, mission.seed
-        )],
+        ))]
+        .into_iter()
+        .chain([flown.reason()])
+        .flatten()
+        .collect(),
         planned: planned(&flown.prepared),
         flown: flown_samples(flown, duration_s),
         segments: table

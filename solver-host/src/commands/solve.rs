@@ -13,6 +13,8 @@ use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 use mintime_shared::table::MAX_TABLE_BYTES;
 
 use super::answer::{Answer, Solved, answer};
+use super::explain::explain;
+use super::fly::distinct;
 use super::{batch, numbers, print};
 
 /// Arguments of `mintime solve`.
@@ -57,15 +59,22 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "N", value_parser = numbers::positive, allow_hyphen_values = true,
           default_value = "800")]
     sample_hz: f64,
-    /// Answer a file of requests, one JSON object a line:
-    /// {"name","from":[5],"to":[5],"thrust":[min,max],"rate","gravity","turns"}
+    /// Answer a file of requests, one JSON object a line, like
+    /// {"name":"a","from":[0,0,0,0,0],"to":[5,0,5,0,0],"thrust":[1,20],"rate":10,"gravity":9.81}; only "turns" (a whole
+    /// number, or "any") may be left out
     #[arg(long, value_name = "FILE.jsonl",
           conflicts_with_all = ["to", "from", "thrust_per_mass", "max_body_rate", "gravity", "turns"])]
     batch: Option<PathBuf>,
+    /// Print the paper's own quantities for this maneuver, step by step
+    #[arg(long, conflicts_with_all = ["batch", "json"])]
+    explain: bool,
     /// Print JSON instead of text
     #[arg(long)]
     json: bool,
 }
+
+/// Most lines of a trajectory.
+const MOST_SAMPLES: f64 = 4.0e6;
 
 impl Solve {
     pub(crate) fn run(self) -> ExitCode {
@@ -83,6 +92,7 @@ impl Solve {
     }
 
     fn solve_batch(&self, path: &Path) -> Result<ExitCode, Box<dyn Error>> {
+        distinct([Some(&path.to_owned()), self.output.as_ref()])?;
         self.output.as_deref().map(check_writable).transpose()?;
         let answers = batch::answer_file(path)?;
         match &self.output {
@@ -112,6 +122,7 @@ impl Solve {
     }
 
     fn solve_one(&self) -> Result<(), Box<dyn Error>> {
+        distinct([self.output.as_ref(), self.trajectory.as_ref()])?;
         for file in [&self.output, &self.trajectory].into_iter().flatten() {
             check_writable(file)?;
         }
@@ -123,6 +134,14 @@ impl Solve {
                 write_bytes(path, &bytes[..length])?;
             }
             if let Some(path) = &self.trajectory {
+                let samples = solution.extremal.duration_s() * self.sample_hz;
+                if samples > MOST_SAMPLES {
+                    return Err(format!(
+                        "--sample-hz {} gives {samples:.0} lines: ask for fewer than {MOST_SAMPLES}",
+                        self.sample_hz
+                    )
+                    .into());
+                }
                 write_text(path, &trajectory(&solution.extremal, self.sample_hz))?;
             }
         } else if self.output.is_some() || self.trajectory.is_some() {
@@ -130,7 +149,11 @@ impl Solve {
                 "start and end are the same state (T = 0), so there is no table and no trajectory".into()
             );
         }
-        if self.json {
+        if self.explain {
+            if let Some((solution, _)) = &maneuver {
+                print(&explain(&solution.extremal));
+            }
+        } else if self.json {
             print(&format!("{:#}", serde_json::to_value(&answer)?));
         } else {
             print(&page(&answer));

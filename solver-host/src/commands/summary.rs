@@ -9,10 +9,7 @@ use super::recording::structure;
 
 /// The JSON answer. Field names are part of the interface.
 pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> Value {
-    let (identity, outcome, reason) = match &flown.flight {
-        Ok(r) => (Some(r.identity), r.outcome.name(), r.reason.clone()),
-        Err(error) => (None, "lost", Some(error.to_string())),
-    };
+    let identity = flown.flight.as_ref().ok().map(|r| r.identity);
     let flight = flown.flight.as_ref().ok();
     let path = |p: Option<&Path>| p.map(|p| p.display().to_string());
     json!({
@@ -28,8 +25,8 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
             "protocol_version": PROTOCOL,
         },
         "flight": {
-            "outcome": outcome,
-            "abort_reason": reason,
+            "outcome": flown.outcome(),
+            "abort_reason": flown.reason(),
             "ticks": flight.map_or(0, |r| r.ticks),
             "missed_ticks": flight.map_or(0, |r| r.missed_ticks),
             "flown_duration_s": flight.map_or(0.0, |r| r.flown_duration_s),
@@ -54,7 +51,7 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
     let extent = &prepared.extent;
     let mut lines = vec![
         format!(
-            "maneuver   x = {} m, z = {} m: T = {:.4} s, {} full turns, {}",
+            "maneuver   x = {} m, z = {} m: T = {:.4} s, turns {}, {}",
             table.end.x - table.start.x,
             table.end.z - table.start.z,
             table.duration_s(),
@@ -85,11 +82,11 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
             ));
             lines.push(format!(
                 "flight     {}: {:.4} s flown, {} ticks, {} missed{}",
-                r.outcome.name(),
+                flown.outcome(),
                 r.flown_duration_s,
                 r.ticks,
                 r.missed_ticks,
-                r.reason.as_ref().map(|w| format!("; {w}")).unwrap_or_default(),
+                flown.reason().map(|w| format!("; {w}")).unwrap_or_default(),
             ));
         }
         Err(error) => lines.push(format!("flight     lost: {error}")),

@@ -213,8 +213,11 @@ impl Connection for HostedVehicle {
                 Event::MotionCapture(pose) => {
                     let [w, x, y, z] = pose.attitude;
                     if let Some(last) = self.trace.samples.last_mut() {
-                        last.mocap =
-                            Some(MocapSample { position_m: pose.position_m, attitude_wxyz: pose.attitude });
+                        last.mocap = Some(MocapSample {
+                            captured_ns: pose.captured_ns,
+                            position_m: pose.position_m,
+                            attitude_wxyz: pose.attitude,
+                        });
                     }
                     return Ok(Pose {
                         captured_s: pose.captured_ns as f64 * 1e-9,

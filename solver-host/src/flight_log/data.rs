@@ -106,6 +106,8 @@ pub struct Truth {
 /// A pose as motion capture measured it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MocapSample {
+    /// When the cameras looked, ns; the sample's own time is when the pose arrived.
+    pub captured_ns: u64,
     /// Position in the world frame, m.
     pub position_m: [f64; 3],
     /// Attitude, body to world, as a unit quaternion (w, x, y, z).

@@ -116,7 +116,7 @@ fn sample_json(topic: Topic, sample: &FlightSample) -> serde_json::Result<Vec<u8
         Topic::Mocap => {
             let seen = sample.mocap.unwrap_or_default();
             serde_json::to_vec(&PoseInFrame {
-                timestamp: sample.time_ns.into(),
+                timestamp: seen.captured_ns.into(),
                 frame_id: WORLD,
                 pose: Pose { position: seen.position_m.into(), orientation: seen.attitude_wxyz.into() },
             })

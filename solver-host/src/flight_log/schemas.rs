@@ -116,11 +116,13 @@ impl Topic {
                     ("thrust_mps2", number("Collective thrust per mass, m/s²")),
                     (
                         "phi_r",
-                        number("Switching function of the pitch rate, dimensionless; null if there is none"),
+                        nullable(
+                            "Switching function of the pitch rate, dimensionless; null if there is none",
+                        ),
                     ),
                     (
                         "phi_t",
-                        number("Switching function of the thrust, dimensionless; null if there is none"),
+                        nullable("Switching function of the thrust, dimensionless; null if there is none"),
                     ),
                 ],
             ),
@@ -229,4 +231,9 @@ fn log_level() -> Value {
     let levels: Vec<Value> =
         levels.iter().zip(0..).map(|(title, number)| json!({"title": title, "const": number})).collect();
     json!({"title": "foxglove.LogLevel", "description": "Log level", "oneOf": levels})
+}
+
+/// A number, or null where there is none.
+fn nullable(description: &str) -> Value {
+    json!({"type": ["number", "null"], "description": description})
 }

@@ -31,9 +31,11 @@ fn small_flight() -> FlightLog {
         setpoint_thrust_mps2: 20.0,
         throttle: [0.1, 0.2, 0.3, 0.4],
         battery_v: 11.5,
-        mocap: i
-            .is_multiple_of(2)
-            .then_some(MocapSample { position_m: [1.0, 2.0, 3.0], attitude_wxyz: [1.0, 0.0, 0.0, 0.0] }),
+        mocap: i.is_multiple_of(2).then_some(MocapSample {
+            captured_ns: START_NS,
+            position_m: [1.0, 2.0, 3.0],
+            attitude_wxyz: [1.0, 0.0, 0.0, 0.0],
+        }),
     };
     FlightLog {
         header: LogHeader {

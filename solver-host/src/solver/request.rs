@@ -58,12 +58,21 @@ impl Request {
         {
             return Err(SolveError::TooManyTurns);
         }
-        if self.from == self.to && matches!(self.turns, Turns::Any | Turns::Exactly(0)) {
+        // The same attitude may be whole turns away.
+        let away = (self.to.theta - self.from.theta) / core::f64::consts::TAU;
+        let there = match self.turns {
+            Turns::Any => (away - away.round()).abs() < SAME_ANGLE,
+            Turns::Exactly(k) => (away + f64::from(k)).abs() < SAME_ANGLE,
+        };
+        if there && (State { theta: self.to.theta, ..self.from }) == self.to {
             return Err(SolveError::AlreadyThere);
         }
         Ok(())
     }
 }
+
+/// Parts of a turn that are rounding.
+const SAME_ANGLE: f64 = 1e-14;
 
 /// Most whole turns that can be asked for.
 pub const MOST_TURNS: u32 = 8;
