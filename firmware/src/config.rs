@@ -3,6 +3,8 @@
 use mintime_shared::crc32;
 use mintime_shared::frames::MOTORS;
 use mintime_shared::messages::TELEMETRY_PERIOD_US;
+use mintime_shared::model::GRAVITY_MPS2;
+use mintime_shared::table::PlanLimits;
 
 /// The vehicle as its flight controller knows it. Its [`hash`](VehicleConfig::hash) names it on the link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +54,21 @@ impl VehicleConfig {
         plan_thrust_max_mps2: 30.0,
         plan_rate_max_radps: 15.0,
     };
+
+    /// Whether a measured battery voltage can be one: beyond, the sense wire is off. False for NaN.
+    pub fn is_plausible_battery(&self, volts: f32) -> bool {
+        volts > 0.6 * self.battery_nominal_v && volts < 1.4 * self.battery_nominal_v
+    }
+
+    /// What a table may plan with, [`mintime_shared::table::PlanLimits`].
+    pub fn plan_limits(&self) -> PlanLimits {
+        PlanLimits {
+            thrust_min_mps2: self.rotor_thrust_idle_n * MOTOR_COUNT as f32 / self.mass_kg,
+            thrust_max_mps2: self.plan_thrust_max_mps2,
+            rate_max_radps: self.plan_rate_max_radps,
+            gravity_mps2: GRAVITY_MPS2 as f32,
+        }
+    }
 
     /// Identifies this configuration: CRC-32 over all fields in order. Never zero, which means "any vehicle".
     pub fn hash(&self) -> u32 {
@@ -143,9 +160,10 @@ pub const BIAS_MAX_RADPS: f32 = 0.1;
 pub const RUNAWAY_ERROR_RADPS: f32 = 8.0;
 /// ... when it lasts this many ticks (100 ms). A full reversal between bangs takes about half of that.
 pub const RUNAWAY_TICKS: u32 = 80;
-/// Accumulated pitch error at which a maneuver is given up, rad. A reversal at full rate lags by 0.4.
-pub const ENVELOPE_PITCH_RAD: f32 = 1.2;
-/// Accumulated roll or yaw error at which a maneuver is given up, rad.
+/// Pitch error, expected less flown, at which a maneuver is given up, rad. A reversal at full rate on a healthy vehicle
+/// stays below 0.4. Below [`INTEGRAL_BOUND_RAD`], or it could never be reached.
+pub const ENVELOPE_PITCH_RAD: f32 = 0.8;
+/// Roll or yaw error at which a maneuver is given up, rad.
 pub const ENVELOPE_LATERAL_RAD: f32 = 0.6;
 /// A tick later than this many periods is late.
 pub const LATE_PERIODS: f32 = 1.5;
@@ -162,14 +180,20 @@ pub const RATE_GAIN_PER_S: [f32; 3] = [40.0, 40.0, 12.0];
 pub const RATE_RESPONSE_S: f32 = 0.012;
 /// Integral gain, 1/s²: the accumulated rate error is the angle by which the vehicle departs from its plan.
 pub const RATE_INTEGRAL_PER_S2: [f32; 3] = [400.0, 400.0, 40.0];
-/// Bound of the accumulated angle error, rad: what the integrator may ask for.
+/// Bound of the accumulated angle error, rad: what the integrator may ask for. Beyond every envelope, or a vehicle that
+/// left its plan would never be seen to.
 pub const INTEGRAL_BOUND_RAD: f32 = 1.0;
+const _: () = assert!(INTEGRAL_BOUND_RAD > ENVELOPE_PITCH_RAD && INTEGRAL_BOUND_RAD > ENVELOPE_LATERAL_RAD);
 /// Response time that rotor lag is compensated to, s. Shorter amplifies noise by lag/response.
 pub const ROTOR_RESPONSE_S: f32 = 0.010;
 /// Part of the rotors' range kept for yaw when roll and pitch ask for all of it.
 pub const YAW_RESERVE: f32 = 0.05;
 /// Longest time step the controllers believe, s: two periods; longer gaps are handled by the supervisor.
 pub const CONTROL_STEP_MAX_S: f32 = 2.5e-3;
+
+/// A trigger that comes again under its number within this time is a repetition, µs: longer than the longest maneuver and
+/// its answer's retries, shorter than a host at 800 messages a second takes to use up all 65536 numbers.
+pub const REPEATED_TRIGGER_US: u64 = 15_000_000;
 
 /// Interval of telemetry, µs.
 pub const TELEMETRY_US: u64 = TELEMETRY_PERIOD_US;

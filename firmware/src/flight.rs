@@ -10,7 +10,7 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 
@@ -55,6 +55,15 @@ pub struct TickOutput {
     pub setpoint: Setpoint,
 }
 
+/// What the clock says of a tick.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Clock {
+    Punctual,
+    Late,
+    /// It came before the last one.
+    Backwards,
+}
+
 /// The whole on-board logic between sensors and motors.
 #[derive(Debug)]
 pub struct FlightLogic<M> {
@@ -77,11 +86,15 @@ pub struct FlightLogic<M> {
     /// What was commanded over the tick that just ended.
     commanded: Setpoint,
     runaway_ticks: u32,
+    /// Number of the request that triggered the last maneuver since arming, and when.
+    pub(crate) last_trigger: Option<(u16, u64)>,
     next_telemetry_us: u64,
     ticks: u32,
     late_ticks: u32,
     worst_interval_us: u32,
     pub(crate) battery_v: Option<f32>,
+    /// The last voltage known, for thrust compensation.
+    drive_v: Option<f32>,
     kill: bool,
 }
 
@@ -106,11 +119,13 @@ impl<M: RecordMemory> FlightLogic<M> {
             host_setpoint: None,
             commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
             runaway_ticks: 0,
+            last_trigger: None,
             next_telemetry_us: 0,
             ticks: 0,
             late_ticks: 0,
             worst_interval_us: 0,
             battery_v: None,
+            drive_v: None,
             kill: false,
         }
     }
@@ -127,54 +142,63 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     /// One tick.
     pub fn tick(&mut self, input: &TickInput, inbox: &mut Inbox, outbox: &mut Outbox) -> TickOutput {
-        let late = self.advance_clock(input.now_us);
-        self.battery_v = input.battery_v.filter(|v| v.is_finite() && *v > 0.0);
+        let clock = self.advance_clock(input.now_us);
+        // Time stands still rather than runs backwards; the supervisor stops the motors for it.
+        let now_us = self.last_us.unwrap_or(input.now_us);
+        self.battery_v = input.battery_v.filter(|v| self.config.is_plausible_battery(*v));
+        self.drive_v = self.battery_v.or(self.drive_v);
         self.kill = input.kill;
         let motors_off = !self.state().motors_on();
         self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
 
-        let mut conditions = self.watch(input.now_us, late);
-        let answers = self.take_requests(inbox, input.now_us, &mut conditions, outbox);
+        let mut conditions = self.watch(now_us, clock);
+        let answers = self.take_requests(inbox, now_us, &mut conditions, outbox);
         // A setpoint taken just now counts.
-        conditions |= self.setpoint_conditions(input.now_us);
-        if let Some(old) = self.supervisor.step(conditions) {
-            self.enter(old, input.now_us);
+        conditions |= self.setpoint_conditions(now_us);
+        if let Some((old, reason)) = self.supervisor.step(conditions) {
+            self.enter(old, reason, now_us);
         }
-        self.answer(answers, outbox);
+        self.answer(answers, now_us, outbox);
 
-        let setpoint = self.choose_setpoint(input.now_us);
+        let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint);
-        self.record(input.now_us, &output);
-        self.telemeter(input.now_us, outbox);
+        self.record(now_us, &output);
+        self.telemeter(now_us, outbox);
         output
     }
 
-    /// Returns whether this tick is late.
-    fn advance_clock(&mut self, now_us: u64) -> bool {
+    fn advance_clock(&mut self, now_us: u64) -> Clock {
         self.ticks = self.ticks.wrapping_add(1);
-        let Some(last) = self.last_us.replace(now_us) else {
-            return false;
+        let Some(last) = self.last_us else {
+            self.last_us = Some(now_us);
+            return Clock::Punctual;
         };
+        if now_us < last {
+            self.interval_us = 0;
+            return Clock::Backwards;
+        }
+        self.last_us = Some(now_us);
         self.interval_us = now_us.saturating_sub(last);
         self.period.observe(self.interval_us);
         let worst = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
         self.worst_interval_us = self.worst_interval_us.max(worst);
         let late = self.interval_us as f32 > LATE_PERIODS * TICK_PERIOD_US as f32;
         self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
-        late
+        if late { Clock::Late } else { Clock::Punctual }
     }
 
     /// Conditions that follow from sensors and time.
-    fn watch(&mut self, now_us: u64, late: bool) -> Conditions {
+    fn watch(&mut self, now_us: u64, clock: Clock) -> Conditions {
         let mut found = Conditions::empty();
         let state = self.state();
         let maneuver = state == FlightState::Maneuver;
-        let over = maneuver && self.player.observe(now_us, late);
+        let over = maneuver && self.player.observe(now_us, self.interval_us, clock == Clock::Late);
         let error = self.rate_error_radps();
         let runaway = state != FlightState::Armed && state.motors_on() && error > RUNAWAY_ERROR_RADPS;
         self.runaway_ticks = if runaway { self.runaway_ticks.saturating_add(1) } else { 0 };
         let in_state_us = now_us.saturating_sub(self.state_since_us);
         found.set(Conditions::KILL, self.kill);
+        found.set(Conditions::CLOCK, clock == Clock::Backwards);
         found.set(Conditions::GYRO_MISSING, self.gyro.is_missing());
         found.set(Conditions::GYRO_FROZEN, self.gyro.is_frozen());
         found.set(Conditions::GYRO_SATURATED, self.gyro.is_saturated());
@@ -220,6 +244,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
             .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
             .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
+            .when(B::GYRO_FROZEN, self.gyro.repeats_itself())
             .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
             .when(B::BATTERY_LOW, low)
             .when(B::KILL_SWITCH, self.kill)
@@ -228,11 +253,13 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// What a change of state brings with it.
-    fn enter(&mut self, old: FlightState, now_us: u64) {
+    fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
         self.state_since_us = now_us;
         let new = self.state();
         if old == FlightState::Maneuver {
-            self.player.stop();
+            // Complete is what ended by itself: no reason to abort, and nobody's order to stop.
+            let by_itself = matches!(new, FlightState::Flying | FlightState::LinkLost);
+            self.player.stop(by_itself && reason.is_none());
             // The plan's accumulated error is no business of the host's setpoints.
             self.rate.reset(self.gyro.rates_radps());
         }
@@ -241,6 +268,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.rate.reset(self.gyro.rates_radps());
                 self.runaway_ticks = 0;
                 self.worst_interval_us = 0;
+                self.last_trigger = None;
                 // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
             }
@@ -262,7 +290,10 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     /// What to fly until the next tick; `None` for motors that only idle or stand still.
     fn choose_setpoint(&mut self, now_us: u64) -> Option<Setpoint> {
-        let sink = Setpoint { rates_radps: [0.0; 3], thrust_mps2: LINK_LOST_THRUST * GRAVITY_MPS2 as f32 };
+        // Never more than the host last asked for: a vehicle that stands on the ground stays there.
+        let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
+        let thrust_mps2 = (LINK_LOST_THRUST * GRAVITY_MPS2 as f32).min(asked_mps2);
+        let sink = Setpoint { rates_radps: [0.0; 3], thrust_mps2 };
         match self.state() {
             FlightState::Disarmed | FlightState::Stopped | FlightState::Armed => None,
             FlightState::Flying => Some(self.host_setpoint.map_or(sink, |(setpoint, _)| setpoint)),
@@ -286,14 +317,14 @@ impl<M: RecordMemory> FlightLogic<M> {
             let off = self.drive.rest(&self.config, dt_s);
             // Idle is zero demand: the mixer's floor keeps the rotors turning.
             let idle = (self.state() == FlightState::Armed)
-                .then(|| self.drive.throttles(&self.config, off, self.battery_v, 0.0));
+                .then(|| self.drive.throttles(&self.config, off, self.drive_v, 0.0));
             return TickOutput { throttle: idle, setpoint: self.commanded };
         };
         let acceleration =
             self.rate.update(self.commanded.rates_radps, setpoint.rates_radps, self.gyro.rates_radps(), dt_s);
         let demand = Demand { thrust_mps2: setpoint.thrust_mps2, acceleration_radps2: acceleration };
         let thrusts = rotor_thrusts(&self.config, &demand);
-        let throttle = self.drive.throttles(&self.config, thrusts, self.battery_v, dt_s);
+        let throttle = self.drive.throttles(&self.config, thrusts, self.drive_v, dt_s);
         self.commanded = setpoint;
         TickOutput { throttle: Some(throttle), setpoint }
     }
@@ -331,6 +362,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             table: self.tables.committed_checksum(),
             maneuver_s: self.player.elapsed_s(),
             maneuver_complete: self.player.is_complete(),
+            maneuver_ticks: self.player.ticks(),
+            maneuver_missed_ticks: self.player.missed_ticks(),
             battery_v: self.battery_v.unwrap_or(0.0),
             rates_radps: self.gyro.rates_radps(),
             ticks: self.ticks,

@@ -60,6 +60,8 @@ pub struct Gyro {
     repeated_ticks: u32,
     saturated_ticks: u32,
     missing_total: u32,
+    /// Samples in a row that equal the one before.
+    identical_ticks: u32,
 }
 
 impl Gyro {
@@ -75,6 +77,7 @@ impl Gyro {
             repeated_ticks: 0,
             saturated_ticks: 0,
             missing_total: 0,
+            identical_ticks: 0,
         }
     }
 
@@ -91,10 +94,16 @@ impl Gyro {
             setpoint.iter().zip(self.rates_radps).any(|(s, r)| (s - r).abs() > GYRO_FROZEN_DEMAND_RADPS);
         let repeated = self.last_raw == Some(raw);
         self.repeated_ticks = if repeated && demanded { self.repeated_ticks.saturating_add(1) } else { 0 };
+        self.identical_ticks = if repeated { self.identical_ticks.saturating_add(1) } else { 0 };
         self.last_raw = Some(raw);
         let saturated = raw.iter().any(|r| r.abs() >= GYRO_SATURATION_RADPS);
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
-        if calibrate {
+        let spread = |bias: [f32; 3]| raw.iter().zip(bias).any(|(r, b)| (r - b).abs() > STILL_SPREAD_RADPS);
+        if self.bias_radps.is_some_and(spread) {
+            // A hand on the vehicle counts at once, stillness only after a whole window.
+            self.moving = true;
+            self.calibration = Calibration::EMPTY;
+        } else if calibrate {
             match self.calibration.take(raw) {
                 Some(Ok(bias)) => {
                     self.bias_radps = Some(bias);
@@ -103,7 +112,9 @@ impl Gyro {
                 Some(Err(())) => self.moving = true,
                 None => {}
             }
-        } else {
+        }
+        if !calibrate {
+            self.moving = true;
             self.calibration = Calibration::EMPTY;
         }
         let bias = self.bias_radps.unwrap_or_default();
@@ -140,6 +151,11 @@ impl Gyro {
     /// Whether the same sample keeps coming while another rate is asked for.
     pub fn is_frozen(&self) -> bool {
         self.repeated_ticks >= GYRO_FROZEN_TICKS
+    }
+
+    /// Whether the very same sample has come for a whole calibration window: no working gyro is that quiet.
+    pub fn repeats_itself(&self) -> bool {
+        self.identical_ticks >= CALIBRATION_TICKS
     }
 
     /// Whether the rates are beyond what can be measured.

@@ -34,7 +34,14 @@ impl Link {
                 None => false,
                 Some(Err(_)) => true,
                 Some(Ok(uplink)) => {
-                    let urgent = matches!(uplink.request, Request::EmergencyStop | Request::Disarm);
+                    let urgent = match uplink.request {
+                        Request::EmergencyStop => true,
+                        // It takes no emergency stop's place, or it would clear what the stop was to set.
+                        Request::Disarm => {
+                            !inbox.back().is_some_and(|last| last.request == Request::EmergencyStop)
+                        }
+                        _ => false,
+                    };
                     let displaced = urgent && inbox.is_full() && inbox.pop_back().is_some();
                     inbox.push_back(uplink).is_err() || displaced
                 }

@@ -97,9 +97,9 @@ impl RotorDrive {
             *slot = (speed + lead * (wanted - speed)).max(idle).min(1.0);
         }
         // An implausible voltage (sense wire off) is not compensated for.
-        let plausible = |v: &f32| *v > 0.6 * config.battery_nominal_v && *v < 1.4 * config.battery_nominal_v;
-        let compensation =
-            config.battery_nominal_v / battery_v.filter(plausible).unwrap_or(config.battery_nominal_v);
+        let voltage =
+            battery_v.filter(|v| config.is_plausible_battery(*v)).unwrap_or(config.battery_nominal_v);
+        let compensation = config.battery_nominal_v / voltage;
         let throttles = command.map(|c| (c * compensation).max(idle).min(1.0));
         // The model follows what the rotors really get: a sagged battery cannot give full speed.
         self.follow(config, throttles.map(|t| t / compensation), dt_s);

@@ -1,6 +1,6 @@
 //! Plays a maneuver: the replay's commands, and a watch over whether the vehicle follows them.
 
-use mintime_shared::replay::{Command, Plan, Replay, Step, TickPeriod};
+use mintime_shared::replay::{Command, Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
 
 use crate::config::{ENVELOPE_LATERAL_RAD, ENVELOPE_PITCH_RAD, LATE_ABORT_COUNT};
 
@@ -9,14 +9,16 @@ use crate::config::{ENVELOPE_LATERAL_RAD, ENVELOPE_PITCH_RAD, LATE_ABORT_COUNT};
 pub struct Player {
     replay: Option<Replay>,
     elapsed_s: f32,
-    over: bool,
+    complete: bool,
     late_ticks: u32,
+    ticks: u32,
+    missed_ticks: u32,
 }
 
 impl Player {
     /// Nothing played yet.
     pub const fn new() -> Self {
-        Self { replay: None, elapsed_s: 0.0, over: false, late_ticks: 0 }
+        Self { replay: None, elapsed_s: 0.0, complete: false, late_ticks: 0, ticks: 0, missed_ticks: 0 }
     }
 
     /// Starts a plan now.
@@ -24,26 +26,36 @@ impl Player {
         *self = Self { replay: Some(Replay::new(plan, now_us)), ..Self::new() };
     }
 
-    /// Ends it, whether it is over or not.
-    pub fn stop(&mut self) {
+    /// Ends it, complete or not.
+    pub fn stop(&mut self, complete: bool) {
         self.replay = None;
+        self.complete = complete;
     }
 
-    /// Takes the clock into account: call first in every tick of a maneuver. Returns whether T has passed.
-    pub fn observe(&mut self, now_us: u64, late: bool) -> bool {
-        if let Some(replay) = &self.replay {
-            let duration_s = replay.plan().duration_s();
-            self.elapsed_s = replay.elapsed_s(now_us).min(duration_s);
-            self.over = replay.elapsed_s(now_us) >= duration_s;
-            self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
-        }
-        self.over
+    /// Takes the clock into account: call first in every tick of a maneuver, with the time since the last tick. Returns
+    /// whether T has passed.
+    pub fn observe(&mut self, now_us: u64, interval_us: u64, late: bool) -> bool {
+        let Some(replay) = &self.replay else {
+            return false;
+        };
+        let duration_s = replay.plan().duration_s();
+        self.elapsed_s = replay.elapsed_s(now_us).min(duration_s);
+        let over = replay.elapsed_s(now_us) >= duration_s;
+        self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
+        let half = u64::from(TICK_PERIOD_US) / 2;
+        let periods = interval_us.saturating_add(half) / u64::from(TICK_PERIOD_US);
+        let missed = u32::try_from(periods.saturating_sub(1)).unwrap_or(u32::MAX);
+        self.missed_ticks = self.missed_ticks.saturating_add(missed);
+        over
     }
 
     /// The command until the next tick; `None` when there is nothing to play.
     pub fn command(&mut self, now_us: u64, period: &TickPeriod) -> Option<Command> {
         match self.replay.as_mut()?.tick(now_us, period) {
-            Step::Fly(command) => Some(command),
+            Step::Fly(command) => {
+                self.ticks = self.ticks.saturating_add(1);
+                Some(command)
+            }
             Step::Over => None,
         }
     }
@@ -69,6 +81,16 @@ impl Player {
 
     /// Whether the last maneuver ran to T.
     pub fn is_complete(&self) -> bool {
-        self.over
+        self.complete
+    }
+
+    /// Ticks played.
+    pub fn ticks(&self) -> u32 {
+        self.ticks
+    }
+
+    /// Ticks that the clock says are missing between them.
+    pub fn missed_ticks(&self) -> u32 {
+        self.missed_ticks
     }
 }

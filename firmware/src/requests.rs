@@ -7,7 +7,7 @@ use mintime_shared::messages::{
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableError};
 
-use crate::config::{FIRMWARE_VERSION, INBOX, VehicleConfig};
+use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_TRIGGER_US, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox};
 use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
@@ -44,9 +44,7 @@ impl Tables {
         if table.checksum() != checksum {
             return Err(Refusal::NotStaged);
         }
-        table
-            .check_for(config.hash(), config.plan_thrust_max_mps2, config.plan_rate_max_radps)
-            .map_err(Refusal::Table)?;
+        table.check_for(config.hash(), &config.plan_limits()).map_err(Refusal::Table)?;
         let duration_s = table.duration_s();
         self.committed = Some(Committed { table, checksum });
         self.staged.clear();
@@ -100,7 +98,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         while let Some(uplink) = inbox.pop_front() {
             let number = uplink.number;
             let reply = if uplink.version == PROTOCOL_VERSION {
-                self.take(uplink.request, now_us, conditions)
+                self.take(number, uplink.request, now_us, conditions)
             } else {
                 Outcome::Now(Reply::Refused(Refusal::ProtocolVersion))
             };
@@ -117,16 +115,19 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Answers the requests that waited for the supervisor.
-    pub(crate) fn answer(&self, pending: Pending, outbox: &mut Outbox) {
+    pub(crate) fn answer(&mut self, pending: Pending, now_us: u64, outbox: &mut Outbox) {
         for (number, wanted) in pending {
             let state = self.state();
+            if wanted == FlightState::Maneuver && state == wanted {
+                self.last_trigger = Some((number, now_us));
+            }
             let reply =
                 if state == wanted { Reply::Done } else { Reply::Refused(Refusal::WrongState(state)) };
             send(outbox, number, reply);
         }
     }
 
-    fn take(&mut self, request: Request, now_us: u64, conditions: &mut Conditions) -> Outcome {
+    fn take(&mut self, number: u16, request: Request, now_us: u64, conditions: &mut Conditions) -> Outcome {
         let motors_on = self.state().motors_on();
         let result = match request {
             Request::Identify => Ok(Reply::Identity(self.identity())),
@@ -159,6 +160,8 @@ impl<M: RecordMemory> FlightLogic<M> {
                 }
                 Err(refusal) => Err(refusal),
             },
+            // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
+            Request::Trigger { .. } if self.has_triggered(number, now_us) => Ok(Reply::Done),
             Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
                 Ok(()) => {
                     *conditions |= Conditions::TRIGGER;
@@ -174,10 +177,19 @@ impl<M: RecordMemory> FlightLogic<M> {
         if !setpoint.is_finite() {
             return Outcome::Now(Reply::Refused(Refusal::NotFinite));
         }
+        if !setpoint.is_in_range() {
+            return Outcome::Now(Reply::Refused(Refusal::OutOfRange));
+        }
         if self.state().motors_on() {
             self.host_setpoint = Some((setpoint, now_us));
         }
         Outcome::Silent
+    }
+
+    /// Whether a maneuver was triggered by a request of this number, not long ago: numbers wrap.
+    fn has_triggered(&self, number: u16, now_us: u64) -> bool {
+        self.last_trigger
+            .is_some_and(|(n, at)| n == number && now_us.saturating_sub(at) <= REPEATED_TRIGGER_US)
     }
 
     fn may_arm(&self) -> Result<(), Refusal> {
@@ -193,7 +205,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     fn may_trigger(&self, checksum: u32, now_us: u64) -> Result<(), Refusal> {
         match self.state() {
-            FlightState::Flying | FlightState::Maneuver => {}
+            FlightState::Flying => {}
             state => return Err(Refusal::WrongState(state)),
         }
         if self.tables.committed.is_none() || self.tables.committed_checksum() != checksum {

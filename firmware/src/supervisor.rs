@@ -44,6 +44,8 @@ bitflags! {
         const ARM = 1 << 14;
         /// Armed and idle for too long.
         const IDLE_TOO_LONG = 1 << 15;
+        /// The clock ran backwards.
+        const CLOCK = 1 << 16;
     }
 
     /// Sets of flight states.
@@ -97,7 +99,7 @@ pub struct Transition {
 }
 
 /// All transitions, gravest first.
-pub const TRANSITIONS: [Transition; 20] = {
+pub const TRANSITIONS: [Transition; 21] = {
     use Conditions as C;
     use FlightState::{Armed, Disarmed, Flying, LinkLost, Maneuver, Stopped};
     const fn row(
@@ -121,7 +123,16 @@ pub const TRANSITIONS: [Transition; 20] = {
             Some(AbortReason::EmergencyStop),
         ),
         row(ON, C::KILL, NONE, Stopped, Some(AbortReason::KillSwitch)),
-        row(States::all().difference(States::DISARMED), C::DISARM, C::KILL, Disarmed, None),
+        // An emergency stop that arrives together with a disarm outlasts it.
+        row(
+            States::all().difference(States::DISARMED),
+            C::DISARM,
+            C::KILL.union(C::EMERGENCY_STOP),
+            Disarmed,
+            None,
+        ),
+        // Every timeout hangs on the clock.
+        row(ON, C::CLOCK, NONE, Stopped, Some(AbortReason::Clock)),
         // Nothing can be controlled without rates.
         row(ON, C::GYRO_MISSING, NONE, Stopped, Some(AbortReason::GyroMissing)),
         row(ON, C::GYRO_FROZEN, NONE, Stopped, Some(AbortReason::GyroFrozen)),
@@ -129,11 +140,12 @@ pub const TRANSITIONS: [Transition; 20] = {
         row(ON, C::RUNAWAY, NONE, Stopped, Some(AbortReason::Runaway)),
         // Nobody is flying.
         row(States::LINK_LOST, C::LINK_DEAD, C::FRESH, Stopped, Some(AbortReason::LinkLost)),
-        // The maneuver failed but the vehicle is controllable: back to the host, if it is there.
+        // The maneuver failed but the vehicle is controllable: back to the host if it is there. If not, nobody knows which
+        // way is up: motors off.
         row(States::MANEUVER, C::LATE_TICKS.union(C::FRESH), NONE, Flying, Some(AbortReason::LateTicks)),
-        row(States::MANEUVER, C::LATE_TICKS, NONE, LinkLost, Some(AbortReason::LateTicks)),
+        row(States::MANEUVER, C::LATE_TICKS, NONE, Stopped, Some(AbortReason::LateTicks)),
         row(States::MANEUVER, C::OFF_PLAN.union(C::FRESH), NONE, Flying, Some(AbortReason::OffPlan)),
-        row(States::MANEUVER, C::OFF_PLAN, NONE, LinkLost, Some(AbortReason::OffPlan)),
+        row(States::MANEUVER, C::OFF_PLAN, NONE, Stopped, Some(AbortReason::OffPlan)),
         row(States::ARMED, C::IDLE_TOO_LONG, NONE, Disarmed, Some(AbortReason::IdleTimeout)),
         // The ordinary course of a flight.
         row(States::MANEUVER, C::OVER.union(C::FRESH), NONE, Flying, None),
@@ -142,7 +154,7 @@ pub const TRANSITIONS: [Transition; 20] = {
         row(States::LINK_LOST, C::FRESH, NONE, Flying, None),
         row(States::FLYING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
         row(States::ARMED, C::FRESH.union(C::LIFTS), NONE, Flying, None),
-        row(States::DISARMED, C::ARM, C::KILL, Armed, None),
+        row(States::DISARMED, C::ARM, C::KILL.union(C::DISARM), Armed, None),
     ]
 };
 
@@ -169,8 +181,8 @@ impl Supervisor {
         self.abort
     }
 
-    /// Takes the first transition that applies. `Some` with the old state where there was one.
-    pub fn step(&mut self, conditions: Conditions) -> Option<FlightState> {
+    /// Takes the first transition that applies. `Some` with the old state and the reason where there was one.
+    pub fn step(&mut self, conditions: Conditions) -> Option<(FlightState, Option<AbortReason>)> {
         let here = States::from(self.state);
         let row = TRANSITIONS.iter().find(|row| {
             row.from.contains(here) && conditions.contains(row.when) && !conditions.intersects(row.unless)
@@ -182,6 +194,6 @@ impl Supervisor {
             None if row.to == FlightState::Armed => self.abort = None,
             None => {}
         }
-        Some(old)
+        Some((old, row.reason))
     }
 }

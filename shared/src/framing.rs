@@ -59,7 +59,8 @@ pub fn encode<M: Serialize>(message: &M) -> Result<Frame, FrameError> {
     }
     let mut bytes = [0; MAX_FRAME_BYTES];
     let coded = cobs::encode(content.get(..length).unwrap_or_default(), &mut bytes);
-    // The array is zero beyond the code, so the closing zero is already there.
+    // Behind a last group of 254 bytes the encoder leaves the beginning of an empty one, so the zero is written here.
+    *bytes.get_mut(coded).ok_or(FrameError::TooLong)? = 0;
     Ok(Frame { bytes, length: coded + 1 })
 }
 

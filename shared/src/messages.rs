@@ -8,7 +8,7 @@
 //! | [`Request::CommitTable`] | [`Reply::Committed`] | motors off; checks the whole table, then replaces the old one |
 //! | [`Request::ReadTable`] | [`Reply::Table`] | always; the committed bytes |
 //! | [`Request::Arm`] | [`Reply::Done`] | disarmed and nothing blocks it |
-//! | [`Request::Disarm`] | [`Reply::Done`] | always; motors off, and it clears a stop |
+//! | [`Request::Disarm`] | [`Reply::Done`] | always; motors off, and it clears a stop unless the kill switch is on |
 //! | [`Request::EmergencyStop`] | [`Reply::Done`] | always; motors off until a `Disarm` clears it |
 //! | [`Request::Setpoint`] | none | acts when armed; ignored otherwise |
 //! | [`Request::Trigger`] | [`Reply::Done`] | flying on fresh setpoints with that very table committed |
@@ -16,7 +16,8 @@
 //!
 //! Besides answers the vehicle sends [`Telemetry`] every [`TELEMETRY_PERIOD_US`] without being asked. A request that
 //! is not carried out is answered by [`Reply::Refused`] with a [`Refusal`], and changes nothing. Requests say what
-//! shall be (“armed”), not what to do, so asking twice is harmless. An answer carries its request's number.
+//! shall be (“armed”), not what to do, so asking twice is harmless; a trigger repeated under one number fires once. An
+//! answer carries its request's number.
 //!
 //! Each frame begins with [`PROTOCOL_VERSION`]; [`crate::framing`] turns messages into bytes. Byte layout is postcard's,
 //! fields in the order of declaration. SI units and radians throughout.
@@ -40,7 +41,8 @@ pub const TELEMETRY_PERIOD_US: u64 = 20_000;
 /// Host to vehicle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Uplink {
-    /// [`PROTOCOL_VERSION`] of the sender. First, so that it can be read whatever follows.
+    /// [`PROTOCOL_VERSION`] of the sender. A version that changes the requests it has in common with this one makes them
+    /// unreadable; one that does not is told so.
     pub version: u8,
     /// Chosen by the host; the answer repeats it.
     pub number: u16,
@@ -58,7 +60,7 @@ pub struct Downlink {
 }
 
 /// What a vehicle sends.
-#[expect(clippy::large_enum_variant, reason = "no allocator to box with; a message lives for one queue slot")]
+#[allow(clippy::large_enum_variant, reason = "no allocator to box with; a message lives for one queue slot")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Message {
     /// The answer to the request with this number.
@@ -118,6 +120,17 @@ pub struct Setpoint {
 }
 
 impl Setpoint {
+    /// Highest body rate that makes sense, rad/s: the end of the gyro's range.
+    pub const RATE_MAX_RADPS: f32 = 35.0;
+    /// Highest thrust per mass that makes sense, m/s².
+    pub const THRUST_MAX_MPS2: f32 = 100.0;
+
+    /// Within what makes sense. False for NaN.
+    pub fn is_in_range(&self) -> bool {
+        self.rates_radps.iter().all(|r| r.abs() <= Self::RATE_MAX_RADPS)
+            && (0.0..=Self::THRUST_MAX_MPS2).contains(&self.thrust_mps2)
+    }
+
     /// All numbers finite.
     pub fn is_finite(&self) -> bool {
         self.rates_radps.iter().all(|r| r.is_finite()) && self.thrust_mps2.is_finite()
@@ -223,6 +236,9 @@ pub enum AbortReason {
     /// No samples.
     #[error("the gyro stopped delivering samples: check its wiring")]
     GyroMissing,
+    /// The vehicle's clock ran backwards.
+    #[error("the vehicle's clock ran backwards: a hardware fault, do not fly this flight controller")]
+    Clock,
     /// The kill switch.
     #[error("the kill switch was pressed")]
     KillSwitch,
@@ -269,9 +285,9 @@ pub enum Refusal {
     /// No such record.
     #[error("there is no record at that index")]
     NoRecord,
-    /// Too many requests at once.
-    #[error("the vehicle is busy: ask again")]
-    Busy,
+    /// A setpoint beyond what any vehicle does.
+    #[error("a setpoint is out of range: body rates to 35 rad/s, thrust 0 to 100 m/s²")]
+    OutOfRange,
 }
 
 /// Reasons that block arming, as bits.
@@ -297,11 +313,13 @@ impl ArmingBlock {
     pub const KILL_SWITCH: Self = Self(1 << 7);
     /// Ticks are late.
     pub const LATE_TICKS: Self = Self(1 << 8);
+    /// The gyro repeats one sample.
+    pub const GYRO_FROZEN: Self = Self(1 << 10);
     /// Stopped by an emergency, not cleared.
     pub const STOPPED: Self = Self(1 << 9);
 
     /// Each bit with the sentence that says what to do.
-    pub const REASONS: [(Self, &'static str); 10] = [
+    pub const REASONS: [(Self, &'static str); 11] = [
         (Self::NO_GYRO, "no gyro on this board"),
         (Self::NO_MOTORS, "no motor outputs on this board"),
         (Self::GYRO_SILENT, "the gyro delivers no samples"),
@@ -311,6 +329,7 @@ impl ArmingBlock {
         (Self::BATTERY_LOW, "the battery is low: charge it"),
         (Self::KILL_SWITCH, "the kill switch is on: release it"),
         (Self::LATE_TICKS, "control ticks are late"),
+        (Self::GYRO_FROZEN, "the gyro repeats one sample: check its wiring"),
         (Self::STOPPED, "stopped after an emergency: disarm to clear it"),
     ];
 
@@ -362,6 +381,10 @@ pub struct Telemetry {
     pub maneuver_s: f32,
     /// Whether the last maneuver ran to its end.
     pub maneuver_complete: bool,
+    /// Ticks of the last maneuver.
+    pub maneuver_ticks: u32,
+    /// Ticks that the clock says are missing between them.
+    pub maneuver_missed_ticks: u32,
     /// Battery, V; 0 where unknown.
     pub battery_v: f32,
     /// Body rates, bias removed, rad/s.

@@ -9,9 +9,9 @@
 //! Deadline and cost: one [`Replay::tick`] visits the segments that the tick touches, at most all
 //! [`MAX_SEGMENTS`] of them; no allocation, no unbounded loop, finite output for every input.
 
-use crate::model::{Segment, State};
+use crate::model::{Limits, Segment, State};
 use crate::motion::{self, Turn};
-use crate::table::{ArcProfile, MAX_SEGMENTS, ManeuverTable};
+use crate::table::{self, ArcProfile, MAX_SEGMENTS, ManeuverTable};
 use heapless::Vec;
 
 /// Nominal tick period, µs: 800 Hz.
@@ -40,10 +40,7 @@ pub struct Plan {
     /// Each segment with the time at which it ends, s from the start.
     segments: Vec<(f32, Segment<f32>), MAX_SEGMENTS>,
     arcs: Option<ArcProfile>,
-    rate_max_radps: f32,
-    thrust_min_mps2: f32,
-    thrust_max_mps2: f32,
-    gravity_mps2: f32,
+    limits: Limits<f32>,
     start: State<f32>,
 }
 
@@ -57,15 +54,7 @@ impl Plan {
             // Both hold at most MAX_SEGMENTS, so there is always room.
             let _ = segments.push((end_s, segment));
         }
-        Self {
-            segments,
-            arcs: table.arcs,
-            rate_max_radps: table.limits.rate_max_radps,
-            thrust_min_mps2: table.limits.thrust_min_mps2,
-            thrust_max_mps2: table.limits.thrust_max_mps2,
-            gravity_mps2: table.limits.gravity_mps2,
-            start: table.start,
-        }
+        Self { segments, arcs: table.arcs, limits: table.limits, start: table.start }
     }
 
     /// Duration T, s.
@@ -89,18 +78,11 @@ impl Plan {
     }
 
     fn turn(&self, segment: &Segment<f32>, begin_s: f32, length_s: f32) -> Turn<f32> {
-        match (segment.inputs.rate.sign::<f32>(), self.arcs) {
-            (Some(sign), _) => motion::bang(sign * self.rate_max_radps, length_s),
-            (None, Some(profile)) => motion::singular(profile.entered_at(begin_s), length_s),
-            (None, None) => motion::bang(0.0, length_s),
-        }
+        table::turn(segment.inputs.rate, self.limits.rate_max_radps, self.arcs, begin_s, length_s)
     }
 
     fn thrust(&self, segment: &Segment<f32>) -> f32 {
-        match segment.inputs.thrust {
-            crate::model::ThrustLevel::Min => self.thrust_min_mps2,
-            crate::model::ThrustLevel::Max => self.thrust_max_mps2,
-        }
+        self.limits.thrust(segment.inputs.thrust)
     }
 
     /// Planned change of pitch (rad) and impulse per mass (m/s) between two times, s from the start.
@@ -108,7 +90,7 @@ impl Plan {
         self.parts(from_s, to_s).fold((0.0, 0.0), |(angle, impulse), (segment, begin, length)| {
             let turned = match (segment.inputs.rate.sign::<f32>(), self.arcs) {
                 (None, Some(profile)) => profile.entered_at(begin).angle_at(length),
-                (sign, _) => sign.unwrap_or(0.0) * self.rate_max_radps * length,
+                (sign, _) => sign.unwrap_or(0.0) * self.limits.rate_max_radps * length,
             };
             (angle + turned, impulse + self.thrust(segment) * length)
         })
@@ -118,7 +100,7 @@ impl Plan {
     pub fn state_at(&self, time_s: f32) -> State<f32> {
         self.parts(0.0, time_s).fold(self.start, |state, (segment, begin, length)| {
             let turn = self.turn(segment, begin, length);
-            motion::advance(state, self.thrust(segment), self.gravity_mps2, length, &turn)
+            motion::advance(state, self.thrust(segment), self.limits.gravity_mps2, length, &turn)
         })
     }
 }
@@ -211,7 +193,8 @@ impl Replay {
     pub fn tick(&mut self, now_us: u64, period: &TickPeriod) -> Step {
         let now_s = self.elapsed_s(now_us);
         let duration_s = self.plan.duration_s();
-        if now_s >= duration_s {
+        // A clock that ran backwards ends it too: nothing is known any more.
+        if now_s >= duration_s || now_s < self.settled_s {
             return Step::Over;
         }
         self.settle(now_s);
@@ -224,8 +207,8 @@ impl Replay {
         let average = |integral: f32, owed: f32| {
             if span_s > 0.0 { integral / span_s + owed / repayment_s } else { 0.0 }
         };
-        let rate_bound = RATE_HEADROOM * self.plan.rate_max_radps;
-        let thrust_bound = THRUST_HEADROOM * self.plan.thrust_max_mps2;
+        let rate_bound = RATE_HEADROOM * self.plan.limits.rate_max_radps;
+        let thrust_bound = THRUST_HEADROOM * self.plan.limits.thrust_max_mps2;
         self.last = Command {
             rate_radps: average(angle, self.owed_angle_rad).max(-rate_bound).min(rate_bound),
             thrust_mps2: average(impulse, self.owed_impulse_mps).max(0.0).min(thrust_bound),

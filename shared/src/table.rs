@@ -29,7 +29,7 @@ use serde::{Deserialize, Serialize};
 use crate::checksum;
 use crate::minimum_principle::Costate;
 use crate::model::{Inputs, Limits, LimitsError, RateMode, Segment, State, ThrustLevel};
-use crate::motion::{self, Arc};
+use crate::motion::{self, Arc, Turn};
 
 /// Most segments a table can hold. The longest extremal seen over thousands of random requests has 13.
 pub const MAX_SEGMENTS: usize = 24;
@@ -48,6 +48,12 @@ pub const SCHEMA_HASH: u32 = checksum::crc32(
 
 /// Positions beyond this are nonsense for a maneuver in one room, m.
 const MAX_POSITION_M: f32 = 1000.0;
+/// Velocities beyond this are nonsense for a maneuver in one room, m/s.
+const MAX_VELOCITY_MPS: f32 = 100.0;
+/// Angles beyond this are nonsense, rad: eight turns.
+const MAX_ANGLE_RAD: f32 = 51.0;
+/// How far a table's gravity may be from the vehicle's, m/s²: gravity varies by that over the Earth.
+const GRAVITY_TOLERANCE_MPS2: f32 = 0.05;
 /// Largest magnitude of an arc's width and peak time, s: wider is straight, later is elsewhere.
 pub const MAX_ARC_TIME_S: f32 = 1.0e6;
 /// How much an arc may exceed the rate limit: rounding to `f32` only.
@@ -96,6 +102,15 @@ impl ArcProfile {
             return Err(TableError::Arcs);
         }
         Ok(Self { width_s: width_s as f32, peak_s: peak_s as f32 })
+    }
+
+    /// Largest magnitude of the rate between two times, s from the maneuver's start. It depends on how near the peak
+    /// comes and on nothing else, so a profile as narrow as rounding cannot hide its peak.
+    fn peak_rate(&self, from_s: f32, to_s: f32) -> f32 {
+        let nearest = self.peak_s.max(from_s).min(to_s) - self.peak_s;
+        // width/(width² + nearest²) without squares that underflow.
+        let width = self.width_s.abs();
+        1.0 / (width + nearest * (nearest / width))
     }
 
     /// The arc as entered at a time, s from the maneuver's start.
@@ -219,8 +234,11 @@ pub enum TableError {
     #[error("the segments do not lead to the stated end: the table is inconsistent, compute it again")]
     End,
     /// The vehicle cannot deliver the thrust or rate that the table was planned with.
-    #[error("the table asks for more thrust or body rate than this vehicle has: plan with lower limits")]
+    #[error("the table asks for thrust or body rate that this vehicle does not have: plan within its limits")]
     BeyondVehicle,
+    /// Planned for another gravity than the vehicle's.
+    #[error("the table was planned with another gravity than the vehicle flies in: plan it with 9.81 m/s²")]
+    Gravity,
 }
 
 /// How far the exact motion may miss the stated end.
@@ -334,7 +352,12 @@ impl ManeuverTable {
     /// The first reason that applies.
     pub fn check(&self) -> Result<(), TableError> {
         self.limits.validate().map_err(TableError::Limits)?;
-        let in_range = |s: &State<f32>| s.to_array().iter().all(|v| v.abs() <= MAX_POSITION_M);
+        let within = |values: [f32; 2], bound: f32| values.iter().all(|v| v.abs() <= bound);
+        let in_range = |s: &State<f32>| {
+            within([s.x, s.z], MAX_POSITION_M)
+                && within([s.vx, s.vz], MAX_VELOCITY_MPS)
+                && s.theta.abs() <= MAX_ANGLE_RAD
+        };
         if !(in_range(&self.start)
             && in_range(&self.end)
             && self.heading_rad.abs() <= 2.0 * core::f32::consts::PI)
@@ -368,19 +391,18 @@ impl ManeuverTable {
     ///
     /// # Errors
     /// [`TableError::OtherVehicle`], [`TableError::BeyondVehicle`].
-    pub fn check_for(
-        &self,
-        vehicle: u32,
-        thrust_max_mps2: f32,
-        rate_max_radps: f32,
-    ) -> Result<(), TableError> {
+    pub fn check_for(&self, vehicle: u32, able: &PlanLimits) -> Result<(), TableError> {
         if self.vehicle != ANY_VEHICLE && self.vehicle != vehicle {
             return Err(TableError::OtherVehicle);
         }
-        if self.limits.thrust_max_mps2 > thrust_max_mps2 || self.limits.rate_max_radps > rate_max_radps {
-            return Err(TableError::BeyondVehicle);
+        if (self.limits.gravity_mps2 - able.gravity_mps2).abs() > GRAVITY_TOLERANCE_MPS2 {
+            return Err(TableError::Gravity);
         }
-        Ok(())
+        // Written so that a bound that is not a number refuses.
+        let within = self.limits.thrust_min_mps2 >= able.thrust_min_mps2
+            && self.limits.thrust_max_mps2 <= able.thrust_max_mps2
+            && self.limits.rate_max_radps <= able.rate_max_radps;
+        if within { Ok(()) } else { Err(TableError::BeyondVehicle) }
     }
 
     fn check_arcs(&self) -> Result<(), TableError> {
@@ -401,7 +423,7 @@ impl ManeuverTable {
                 if s.inputs.0.thrust == ThrustLevel::Min {
                     return Err(TableError::Arcs);
                 }
-                let peak = profile.entered_at(time_s).peak_rate(s.duration_s);
+                let peak = profile.peak_rate(time_s, time_s + s.duration_s);
                 let bound = self.limits.rate_max_radps * (1.0 + ARC_RATE_TOLERANCE);
                 if !peak.is_finite() || peak > bound {
                     return Err(TableError::ArcRate);
@@ -417,17 +439,42 @@ impl ManeuverTable {
         let mut state = self.start;
         let mut time_s = 0.0;
         for Segment { inputs, duration } in self.segments() {
-            let turn = match (inputs.rate.sign::<f32>(), self.arcs) {
-                (Some(sign), _) => motion::bang(sign * self.limits.rate_max_radps, duration),
-                (None, Some(profile)) => motion::singular(profile.entered_at(time_s), duration),
-                (None, None) => motion::bang(0.0, duration),
-            };
+            let turn = turn(inputs.rate, self.limits.rate_max_radps, self.arcs, time_s, duration);
             let thrust = self.limits.thrust(inputs.thrust);
             state = motion::advance(state, thrust, self.limits.gravity_mps2, duration, &turn);
             time_s += duration;
         }
         state
     }
+}
+
+/// The turn over a part of a segment that begins at `begin_s` (s from the maneuver's start) and lasts `length_s`.
+pub(crate) fn turn(
+    rate: RateMode,
+    rate_max_radps: f32,
+    arcs: Option<ArcProfile>,
+    begin_s: f32,
+    length_s: f32,
+) -> Turn<f32> {
+    match (rate.sign::<f32>(), arcs) {
+        (Some(sign), _) => motion::bang(sign * rate_max_radps, length_s),
+        (None, Some(profile)) => motion::singular(profile.entered_at(begin_s), length_s),
+        // No table has arcs without a profile.
+        (None, None) => motion::bang(0.0, length_s),
+    }
+}
+
+/// What a vehicle can be planned with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanLimits {
+    /// Lowest collective thrust per mass, m/s²: rotors at idle.
+    pub thrust_min_mps2: f32,
+    /// Highest collective thrust per mass, m/s².
+    pub thrust_max_mps2: f32,
+    /// Highest body rate, rad/s.
+    pub rate_max_radps: f32,
+    /// Gravity where it flies, m/s².
+    pub gravity_mps2: f32,
 }
 
 /// What a table states besides its segments.

@@ -322,7 +322,7 @@ pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, Mission
         }
         Source::Table(bytes) => (ManeuverTable::decode(bytes)?, None),
     };
-    table.check_for(config.hash(), config.plan_thrust_max_mps2, config.plan_rate_max_radps)?;
+    table.check_for(config.hash(), &config.plan_limits())?;
     let State { vx, vz, theta, .. } = table.start;
     if vx != 0.0 || vz != 0.0 || theta != 0.0 {
         return Err(MissionError::NotFromRest);

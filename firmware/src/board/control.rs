@@ -13,13 +13,15 @@ use embassy_stm32::interrupt::InterruptExt;
 use embassy_time::{Duration, Instant, Timer};
 use mintime_firmware::flight::TickInput;
 
+use mintime_shared::replay::TICK_PERIOD_US;
+
 use super::facts::CONTROL_PRIORITY;
 use super::link::{INBOX, OUTBOX};
 use super::watchdog::{self, Party};
 use super::{battery, fault, vehicle};
 
 /// Period of the control tick: 800 Hz, the gyro's native rate.
-const PERIOD: Duration = Duration::from_micros(1250);
+const PERIOD: Duration = Duration::from_micros(TICK_PERIOD_US as u64);
 /// Link bytes moved per tick and direction. The line carries 115.2 in a tick.
 const BYTES_PER_TICK: usize = 128;
 
@@ -86,9 +88,11 @@ async fn run() {
         keep_worst(&WORST_RUN_US, end.saturating_duration_since(now));
 
         due += PERIOD;
-        while due <= end {
-            due += PERIOD;
-            MISSED_TICKS.fetch_add(1, Ordering::Relaxed);
+        if due <= end {
+            // By division, not by counting: after a halt the gap may be of any length.
+            let missed = (end - due).as_ticks() / PERIOD.as_ticks() + 1;
+            due += Duration::from_ticks(missed.saturating_mul(PERIOD.as_ticks()));
+            MISSED_TICKS.fetch_add(u32::try_from(missed).unwrap_or(u32::MAX), Ordering::Relaxed);
         }
     }
 }

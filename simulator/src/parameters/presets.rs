@@ -91,7 +91,8 @@ impl VehicleParameters {
         }
     }
 
-    /// The planning model itself with perfect sensors: no lag, noise, bias, delay, clock error or quantisation. What
+    /// The planning model itself with perfect sensors: no lag, bias, delay, clock error or quantisation, and no noise but a
+    /// last digit that stirs. What
     /// remains between plan and flight in such a vehicle is the flight software's own.
     pub fn ideal() -> Self {
         let nominal = Self::nominal();
@@ -114,7 +115,8 @@ impl VehicleParameters {
             imu: Imu { clock_error: 0.0, misalignment_rad: 0.0, quantised: false, ..nominal.imu },
             gyro: Gyro {
                 bandwidth_hz: 0.0,
-                noise_density_radps: 0.0,
+                // A gyro that repeats itself to the last bit counts as broken: a breath of noise, a thousandth of a real one's.
+                noise_density_radps: 1.0e-7,
                 bias_radps: 0.0,
                 scale_error: 0.0,
                 vibration_radps: 0.0,

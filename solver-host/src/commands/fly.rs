@@ -1,26 +1,24 @@
 //! `mintime fly`: from a request to a flown maneuver.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 use mintime::flight::Outcome;
-use mintime::flight_log::{check_writable, write_mcap, write_whole};
+use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source};
 use mintime::report;
 use mintime::solver::Turns;
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
-use super::numbers;
 use super::progress::Progress;
+use super::solve::write_bytes;
+use super::table::read_bytes;
+use super::{numbers, print};
 use super::{recording, summary};
 
-/// Compute a minimum-time maneuver, upload it, hover, fly it with gyro feedback only, catch the vehicle, and tell what
-/// happened.
-///
-/// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
-/// anything is sent to a vehicle. The exit status is 0 only if it was flown to its end and the vehicle caught.
+/// Arguments of `mintime fly`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \
@@ -88,7 +86,7 @@ impl Fly {
             Ok(_) => ExitCode::FAILURE,
             Err(error) => {
                 if self.json {
-                    println!("{}", serde_json::json!({ "error": error.to_string() }));
+                    print(&serde_json::json!({ "error": error.to_string() }).to_string());
                 }
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
@@ -98,7 +96,7 @@ impl Fly {
 
     fn mission(&self) -> Result<Mission, Box<dyn Error>> {
         let source = match (&self.table, self.to) {
-            (Some(path), _) => Source::Table(read_table(path)?),
+            (Some(path), _) => Source::Table(read_bytes(path)?),
             (None, to) => {
                 let [x, z] = to.unwrap_or_default();
                 let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
@@ -117,6 +115,7 @@ impl Fly {
 
     fn fly(&self) -> Result<Outcome, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
+        distinct([Some(&self.log), Some(&self.report), self.save_table.as_ref()])?;
         check_writable(&self.log)?;
         report::check(&self.report)?;
         self.save_table.as_deref().map(check_writable).transpose()?;
@@ -128,7 +127,7 @@ impl Fly {
         let prepared =
             mission::prepare(&mission.source, mission.room.as_ref()).inspect_err(|_| progress.finish())?;
         if let Some(path) = &self.save_table {
-            write_table(path, &prepared.bytes)?;
+            write_bytes(path, &prepared.bytes)?;
         }
         let flown =
             mission::fly_hosted(&mission, prepared, &mut progress).inspect_err(|_| progress.finish())?;
@@ -138,9 +137,9 @@ impl Fly {
         report::write(&recording::report(&mission, &flown), &self.report)?;
         progress.finish();
         if self.json {
-            println!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report)));
+            print(&format!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report))));
         } else {
-            println!("{}", summary::text(&flown, &[&self.log, &self.report]));
+            print(&summary::text(&flown, &[&self.log, &self.report]));
         }
         match flown.flight {
             Ok(result) => Ok(result.outcome),
@@ -152,21 +151,13 @@ impl Fly {
     }
 }
 
-/// A table file is the table's bytes, nothing else. Reads a little more than any table has, so that a wrong file is
-/// refused by its length and not swallowed whole.
-fn read_table(path: &Path) -> Result<Vec<u8>, String> {
-    use std::io::Read as _;
-    let failed =
-        |e: std::io::Error| format!("{} cannot be read ({e}): give a readable table file", path.display());
-    let mut bytes = Vec::new();
-    std::fs::File::open(path).map_err(failed)?.take(4096).read_to_end(&mut bytes).map_err(failed)?;
-    Ok(bytes)
-}
-
-fn write_table(path: &Path, bytes: &[u8]) -> Result<(), mintime::flight_log::OutputError> {
-    use mintime::flight_log::OutputError;
-    use std::io::Write as _;
-    write_whole::<OutputError>(path, |file| {
-        file.write_all(bytes).map_err(|source| OutputError::Interrupted { path: path.to_owned(), source })
-    })
+/// Refuses to write two outputs to one file.
+fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(), String> {
+    let absolute: Vec<_> = paths.into_iter().flatten().filter_map(|p| std::path::absolute(p).ok()).collect();
+    for (i, path) in absolute.iter().enumerate() {
+        if absolute[..i].contains(path) {
+            return Err(format!("{} is named for two outputs: give each a file of its own", path.display()));
+        }
+    }
+    Ok(())
 }

@@ -1,10 +1,15 @@
 //! The commands of `mintime`: arguments in, text or JSON out.
 
+mod answer;
+mod batch;
 mod fly;
 mod numbers;
 mod progress;
 mod recording;
+mod solve;
 mod summary;
+mod sweep;
+mod table;
 
 use std::process::ExitCode;
 
@@ -14,13 +19,40 @@ use clap::Subcommand;
 #[derive(Subcommand)]
 pub(crate) enum Command {
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
+    ///
+    /// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
+    /// anything is sent to a vehicle; then it is uploaded, the vehicle hovers, flies it with gyro feedback only, is caught
+    /// and landed, and its record is downloaded and compared with truth. The exit status is 0 only if it was flown to its
+    /// end and the vehicle caught.
     Fly(fly::Fly),
+    /// Compute the minimum-time maneuver between two states, or many of them.
+    ///
+    /// Any start and end state, any limits. Every answer is verified against Pontryagin's minimum principle by an
+    /// integrator of its own; what cannot be verified is not returned.
+    Solve(solve::Solve),
+    /// Compute maneuvers over a range of displacements, as CSV.
+    Sweep(sweep::Sweep),
+    /// Explain a maneuver table.
+    Show(table::TableFile),
+    /// Check a maneuver table again: it must arrive when replayed, and be the fastest for its turns.
+    Verify(table::TableFile),
 }
 
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
             Self::Fly(fly) => fly.run(),
+            Self::Solve(solve) => solve.run(),
+            Self::Sweep(sweep) => sweep.run(),
+            Self::Show(file) => file.show(),
+            Self::Verify(file) => file.verify(),
         }
     }
+}
+
+/// Prints a line. Whoever closed the pipe has read enough: that is no error.
+fn print(text: &str) {
+    use std::io::Write as _;
+    let mut out = std::io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.write_all(b"\n")).and_then(|()| out.flush());
 }

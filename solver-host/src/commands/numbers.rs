@@ -1,5 +1,7 @@
 //! Numbers on the command line: finite, comma-separated, as many as asked for.
 
+use mintime_shared::model::State;
+
 /// Parses one finite number.
 pub(crate) fn finite(text: &str) -> Result<f64, String> {
     let value: f64 =
@@ -12,6 +14,22 @@ pub(crate) fn list<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let values = text.split(',').map(finite).collect::<Result<Vec<_>, _>>()?;
     let count = values.len();
     values.try_into().map_err(|_| format!("{N} numbers separated by commas are needed, {count} were given"))
+}
+
+/// Parses one finite number above zero.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    finite(text).and_then(|v| {
+        if v > 0.0 { Ok(v) } else { Err(format!("`{text}` is not above zero: give a positive number")) }
+    })
+}
+
+/// Parses a state: `X,Z` at rest and level, or `X,VX,Z,VZ,THETA`.
+pub(crate) fn state(text: &str) -> Result<State<f64>, String> {
+    if text.split(',').count() == 2 {
+        let [x, z] = list(text)?;
+        return Ok(State::at_rest(x, z));
+    }
+    list::<5>(text).map(State::from_array).map_err(|e| format!("{e} (or 2: a position to be at rest at)"))
 }
 
 /// Parses a number of turns, or `any`.

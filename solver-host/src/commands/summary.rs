@@ -30,7 +30,7 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
         "flight": {
             "outcome": outcome,
             "abort_reason": reason,
-            "ticks": flight.map_or(0, |r| r.record.len()),
+            "ticks": flight.map_or(0, |r| r.ticks),
             "missed_ticks": flight.map_or(0, |r| r.missed_ticks),
             "flown_duration_s": flight.map_or(0.0, |r| r.flown_duration_s),
             "start_error": flown.start_error(),
@@ -87,7 +87,7 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
                 "flight     {}: {:.4} s flown, {} ticks, {} missed{}",
                 r.outcome.name(),
                 r.flown_duration_s,
-                r.record.len(),
+                r.ticks,
                 r.missed_ticks,
                 r.reason.as_ref().map(|w| format!("; {w}")).unwrap_or_default(),
             ));

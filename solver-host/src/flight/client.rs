@@ -111,12 +111,14 @@ impl Client {
                 Some(Ok(Downlink { message: Message::Telemetry(telemetry), .. })) => {
                     self.telemetry = Some(telemetry);
                 }
-                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. })) => {
-                    if self.pending.as_ref().is_some_and(|p| p.number == number) {
-                        answer = Some(reply);
-                        self.pending = None;
-                    }
+                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. }))
+                    if self.pending.as_ref().is_some_and(|p| p.number == number) =>
+                {
+                    answer = Some(reply);
+                    self.pending = None;
                 }
+                // The answer to a request that was repeated and answered meanwhile.
+                Some(Ok(Downlink { message: Message::Reply { .. }, .. })) => {}
             }
         }
         if let Some(Reply::Refused(refusal)) = answer {
@@ -154,5 +156,7 @@ fn transmit(line: &mut impl Connection, number: u16, request: Request) -> Result
     let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
     // No request of the protocol is longer than a frame; the type bounds every part.
     let frame = encode(&uplink).map_err(|e| std::io::Error::other(e.to_string()))?;
+    // A zero first: whatever noise or half a frame came before, this frame begins afresh.
+    line.send(&[0])?;
     line.send(frame.as_bytes())
 }

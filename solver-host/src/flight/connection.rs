@@ -57,6 +57,9 @@ pub enum ConnectionError {
     /// Motion capture stopped.
     #[error("motion capture delivers no poses: check the cameras and whether the vehicle is in view")]
     NoPose,
+    /// Motion capture repeats itself.
+    #[error("motion capture repeats one pose: the cameras' server has stopped tracking, restart it")]
+    FrozenPose,
     /// The serial line failed.
     #[error("the serial line failed: {0}")]
     Line(#[from] std::io::Error),

@@ -18,14 +18,15 @@ pub use position_control::{Reference, control};
 
 use connection::describe;
 use mintime_shared::messages::{
-    AbortReason, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
-    Setpoint,
+    AbortReason, ArmingBlock, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
+    Request, Setpoint,
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
-/// The gate: largest tilt at which a maneuver is triggered, rad. A tilt δθ at the start moves the end of (5, 5) by
+/// The gate: largest tilt at which a maneuver is triggered, rad. The vehicle must stand on level ground before take-off:
+/// that is where the cameras learn what level is. A tilt δθ at the start moves the end of (5, 5) by
 /// 14.8 m/rad · δθ: 5 cm are 3.4 mrad.
 pub const GATE_TILT_RAD: f64 = 2.0e-3;
 /// The gate: largest speed at which a maneuver is triggered, m/s.
@@ -54,9 +55,9 @@ const CATCH_TIMEOUT_S: f64 = 10.0;
 const READY_TIMEOUT_S: f64 = 10.0;
 /// After the trigger the vehicle reports a maneuver within this, s.
 const TRIGGER_TIMEOUT_S: f64 = 0.5;
-/// Height above the ground at which the motors stop, m, and the speed below which it counts as standing.
+/// Height above the ground at which the motors stop, m.
 const LANDED_HEIGHT_M: f64 = 0.02;
-/// The cameras see a standing vehicle's height within this, m: it is on the ground before take-off.
+/// A touch-down takes no longer than this, s.
 const LAND_TIMEOUT_S: f64 = 60.0;
 
 /// What to fly and where.
@@ -149,9 +150,11 @@ pub struct FlightResult {
     pub identity: Identity,
     /// Duration flown, s: T if the maneuver ran to its end.
     pub flown_duration_s: f64,
-    /// The vehicle's record.
+    /// The vehicle's record: the first of its ticks, as many as its memory holds.
     pub record: Vec<RecordedTick>,
-    /// Late ticks during the maneuver, by the record.
+    /// Control ticks of the maneuver.
+    pub ticks: u32,
+    /// Ticks that are missing between them by the vehicle's clock.
     pub missed_ticks: u32,
 }
 
@@ -161,6 +164,24 @@ pub trait Witness {
     fn phase(&mut self, phase: Phase, now_s: f64);
     /// Something worth a line.
     fn event(&mut self, now_s: f64, text: &str);
+}
+
+/// How a maneuver ended.
+enum Ended {
+    /// At T.
+    Complete,
+    /// Before, by the vehicle.
+    Aborted(AbortReason),
+    /// It never began.
+    Refused(Refusal),
+}
+
+/// Whether arming may work a moment later without anybody's doing: the gyro calibrates, the vehicle comes to rest. For
+/// everything else a person is asked; a vehicle must not arm because somebody let go of a switch.
+fn passes_by_itself(refusal: Refusal) -> bool {
+    use ArmingBlock as B;
+    let passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0;
+    matches!(refusal, Refusal::ArmingBlocked(bits) if bits & !passing == 0)
 }
 
 /// A flight under way.
@@ -176,7 +197,18 @@ struct Flight<'a, C, W> {
     /// The plan and when it was triggered, while the vehicle flies it.
     playing: Option<(Plan, f64)>,
     now_s: f64,
+    /// Attitudes as the cameras saw them while the vehicle stood.
+    standing: Vec<UnitQuaternion<f64>>,
+    /// Undoes the tilt of the camera's markers on the vehicle.
+    level: UnitQuaternion<f64>,
+    /// The last pose that differed from the one before.
+    fresh_pose: Option<Pose>,
 }
+
+/// The very same pose for this long, in the air, is not a measurement, s: cameras have noise and vehicles move.
+const FROZEN_POSE_S: f64 = 0.2;
+/// Times an emergency stop is sent.
+const STOP_TRIES: u32 = 20;
 
 /// Flies a table. The vehicle stands on the ground, level, below the start.
 ///
@@ -198,11 +230,13 @@ pub fn fly(
         reference: None,
         playing: None,
         now_s: 0.0,
+        standing: Vec::new(),
+        level: UnitQuaternion::identity(),
+        fresh_pose: None,
     };
     let result = flight.run(plan);
     if result.is_err() {
-        // Whatever went wrong: motors off. The vehicle's own timeouts stand behind this.
-        let _ = flight.call("stopping the motors", Request::EmergencyStop);
+        flight.stop();
     }
     result
 }
@@ -214,6 +248,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let identity = self.identify()?;
         let checksum = self.upload(&plan.table)?;
         self.arm()?;
+        self.level();
 
         self.enter(Phase::TakeOff);
         let heading_rad = f64::from(plan.table.heading_rad);
@@ -224,9 +259,21 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let mut flown_duration_s = 0.0;
         if reason.is_none() {
             self.enter(Phase::Maneuver);
-            reason = self.maneuver(plan, checksum)?.map(|abort| abort.to_string());
-            flown_duration_s = self.client.telemetry().map_or(0.0, |t| f64::from(t.maneuver_s));
-            outcome = if reason.is_some() { Outcome::Aborted } else { Outcome::Completed };
+            match self.maneuver(plan, checksum)? {
+                // The vehicle said no and hovers: bring it down in peace.
+                Ended::Refused(refusal) => reason = Some(refusal.to_string()),
+                Ended::Aborted(abort) => {
+                    (outcome, reason) = (Outcome::Aborted, Some(abort.to_string()));
+                }
+                Ended::Complete => outcome = Outcome::Completed,
+            }
+        }
+        let mut counts = (0, 0);
+        if outcome != Outcome::NotTriggered {
+            if let Some(t) = self.client.telemetry() {
+                flown_duration_s = f64::from(t.maneuver_s);
+                counts = (t.maneuver_ticks, t.maneuver_missed_ticks);
+            }
             self.enter(Phase::Catch);
             let target = Reference::hold(plan.end_m(), heading_rad);
             if !self.catch(&target)? && outcome == Outcome::Completed {
@@ -236,13 +283,17 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
                 ));
             }
         }
+        let (ticks, missed_ticks) = counts;
         self.enter(Phase::Land);
         self.land(ground.z, heading_rad)?;
         self.enter(Phase::Download);
         let record = if outcome == Outcome::NotTriggered { Vec::new() } else { self.download()? };
-        let late = |t: &&RecordedTick| f64::from(t.interval_us) > 1.5 * 1250.0;
-        let missed_ticks = record.iter().filter(late).count() as u32;
-        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, missed_ticks })
+        if (record.len() as u32) < ticks {
+            let text =
+                format!("the vehicle's recorder was full: {} of {ticks} ticks are recorded", record.len());
+            self.witness.event(self.now_s, &text);
+        }
+        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, ticks, missed_ticks })
     }
 
     fn enter(&mut self, phase: Phase) {
@@ -252,8 +303,13 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
 
     /// One pose: estimate, steer, and listen. Returns the estimate.
     fn step(&mut self) -> Result<Estimate, FlightError> {
-        let pose = self.connection.next_pose()?;
+        let mut pose = self.connection.next_pose()?;
         self.now_s = pose.arrived_s;
+        self.check_fresh(&pose)?;
+        if self.reference.is_none() && self.calmness == Calmness::Grounded {
+            self.standing.push(pose.attitude);
+        }
+        pose.attitude *= self.level;
         if let Some((plan, since_s)) = &self.playing {
             let elapsed = (self.now_s - since_s) as f32;
             let (angle, impulse) = plan.integrals(elapsed, elapsed + 1e-3);
@@ -272,6 +328,33 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
         }
         Ok(estimate)
+    }
+
+    /// A pose that never changes while the vehicle flies is none.
+    fn check_fresh(&mut self, pose: &Pose) -> Result<(), ConnectionError> {
+        let same = |last: &Pose| last.position_m == pose.position_m && last.attitude == pose.attitude;
+        match &self.fresh_pose {
+            Some(last) if same(last) && self.reference.is_some() && self.calmness != Calmness::Grounded => {
+                if pose.arrived_s - last.arrived_s > FROZEN_POSE_S {
+                    return Err(ConnectionError::FrozenPose);
+                }
+            }
+            _ => self.fresh_pose = Some(*pose),
+        }
+        Ok(())
+    }
+
+    /// Whatever went wrong: motors off. Needs no working cameras; the vehicle's own timeouts stand behind this.
+    fn stop(&mut self) {
+        for _ in 0..STOP_TRIES {
+            let asked = self.client.ask(self.connection, Request::EmergencyStop, self.now_s);
+            // Time passes in here, with a pose or without.
+            let _ = self.connection.next_pose();
+            let answer = self.client.poll(self.connection, self.now_s);
+            if asked.is_ok() && matches!(answer, Ok(Some(_))) {
+                return;
+            }
+        }
     }
 
     /// Asks and steers on until the answer comes.
@@ -328,15 +411,32 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             match self.call("arming", Request::Arm) {
                 Ok(_) => return Ok(()),
-                // Calibration takes its time; the rest does not go away by waiting, but may (a person's hand).
                 Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
-                    if self.now_s - since > READY_TIMEOUT_S {
+                    if !passes_by_itself(refusal) || self.now_s - since > READY_TIMEOUT_S {
                         return Err(FlightError::NotReady(refusal));
                     }
                 }
                 Err(error) => return Err(error),
             }
         }
+    }
+
+    /// Takes the attitude in which the vehicle stood as level: markers are never glued on to the milliradian.
+    fn level(&mut self) {
+        let Some(first) = self.standing.first() else {
+            return;
+        };
+        let mean = self.standing.iter().map(|q| (first.inverse() * q).scaled_axis()).sum::<Vector3<f64>>()
+            / self.standing.len() as f64;
+        let stood = first * UnitQuaternion::from_scaled_axis(mean);
+        let up = stood * Vector3::z();
+        // The shortest turn that rights it; its heading stays as seen.
+        let righting = UnitQuaternion::rotation_between(&up, &Vector3::z()).unwrap_or_default();
+        self.level = stood.inverse() * righting * stood;
+        self.estimator = Estimator::new();
+        let tilt_rad = up.angle(&Vector3::z());
+        self.witness
+            .event(self.now_s, &format!("levelled: the markers are tilted by {:.2} mrad", tilt_rad * 1e3));
     }
 
     /// Moves the reference in a straight line at a speed.
@@ -406,11 +506,16 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         )))
     }
 
-    /// Triggers and waits for the end. `Some` with the reason if the vehicle broke it off.
-    fn maneuver(&mut self, plan: &FlightPlan, checksum: u32) -> Result<Option<AbortReason>, FlightError> {
+    /// Triggers and waits for the end.
+    fn maneuver(&mut self, plan: &FlightPlan, checksum: u32) -> Result<Ended, FlightError> {
         let played = Plan::new(&plan.table);
         let duration_s = f64::from(played.duration_s());
-        self.call("triggering the maneuver", Request::Trigger { checksum })?;
+        match self.call("triggering the maneuver", Request::Trigger { checksum }) {
+            Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
+                return Ok(Ended::Refused(refusal));
+            }
+            result => result?,
+        };
         self.calmness = Calmness::Agile;
         // The answer came within the tick that began it, and one pose ago.
         self.playing = Some((played, self.now_s - 0.005));
@@ -431,11 +536,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
             if late || (seen && t.state != FlightState::Maneuver) {
                 self.playing = None;
-                return Ok(if t.maneuver_complete {
-                    None
-                } else {
-                    Some(t.abort.unwrap_or(AbortReason::LateTicks))
-                });
+                let aborted = Ended::Aborted(t.abort.unwrap_or(AbortReason::LateTicks));
+                return Ok(if t.maneuver_complete { Ended::Complete } else { aborted });
             }
         }
     }

@@ -249,16 +249,21 @@ fn ticks_are_at_nice_numbers() {
     assert_eq!(labels, ["−0.2", "0", "0.2", "0.4"]);
 }
 
-/// Writes the pictures for a person: `MINTIME_REPORT_DIR=/tmp cargo test -p mintime --lib look_at -- --ignored`.
+/// Every picture is written, in both formats. To look at them: `MINTIME_REPORT_DIR=/some/folder cargo test -p mintime pictures`.
 #[test]
-#[ignore = "writes pictures for a person to look at"]
-fn look_at_the_pictures() {
-    let folder = PathBuf::from(std::env::var_os("MINTIME_REPORT_DIR").unwrap());
+fn all_pictures_are_written() {
+    let scratch = tempfile::tempdir().unwrap();
+    let folder = std::env::var_os("MINTIME_REPORT_DIR").map_or(scratch.path().to_owned(), PathBuf::from);
     for (maneuver, name) in ALL.into_iter().zip(["diagonal", "flip", "dash", "short"]) {
-        for ending in ["png", "svg"] {
-            write(&maneuver.report(), &folder.join(name).with_extension(ending)).unwrap();
+        for (report, name) in
+            [(maneuver.report(), name.to_owned()), (without_flight(&maneuver), format!("{name}-plan"))]
+        {
+            for ending in ["png", "svg"] {
+                let path = folder.join(&name).with_extension(ending);
+                write(&report, &path).unwrap();
+                assert!(std::fs::metadata(&path).unwrap().len() > 10_000, "{}", path.display());
+            }
         }
-        write(&without_flight(&maneuver), &folder.join(format!("{name}-plan.png"))).unwrap();
     }
 }
 

@@ -41,6 +41,7 @@ mod starts;
 mod structure;
 pub mod sweep;
 mod verify;
+mod windings;
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
@@ -49,6 +50,7 @@ pub use request::{Alternative, MAX_ALTERNATIVES, MOST_TURNS, Request, Solution, 
 pub use sensitivity::Sensitivities;
 pub use structure::MAX_SEGMENTS;
 pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, verify};
+pub use windings::{solve_all_windings, solve_all_windings_cancellable};
 
 use newton::Newton;
 use problem::Problem;

@@ -24,15 +24,21 @@ pub(crate) struct Effort {
     hopeless: f64,
     /// Run the backward pass and the detours even where nothing went wrong.
     everything: bool,
+    /// Where nothing is found, look again backwards in time, from displaced problems, and with more effort.
+    insist: bool,
 }
 
 impl Effort {
     /// Enough for almost every problem: the winner is the first start in five of six.
-    pub(crate) const NORMAL: Self = Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false };
+    pub(crate) const NORMAL: Self =
+        Self { path_budget: 400, paths: 4, hopeless: 1.1, everything: false, insist: true };
+    /// For windings that have lost already: backwards too where nothing is found, no more.
+    pub(crate) const LIGHT: Self = Self { insist: false, ..Self::NORMAL };
     /// For a neighbour that serves as a stepping stone: there are more of them.
     const NEIGHBOUR: Self = Self { path_budget: 200, paths: 3, ..Self::NORMAL };
     /// A second look at everything, some thirty times slower.
-    pub(crate) const THOROUGH: Self = Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true };
+    pub(crate) const THOROUGH: Self =
+        Self { path_budget: 1500, paths: 12, hopeless: 1.6, everything: true, insist: true };
 }
 
 /// Best T over the T at which a lost path died, below which nothing is lost.
@@ -108,15 +114,17 @@ impl<'a> Search<'a> {
         let problem = self.problem;
         self.pass(&problem, false);
         self.rotation_limited();
-        if self.unfinished() || self.doubtful {
+        let again =
+            if self.effort.insist { self.unfinished() || self.doubtful } else { self.found.is_empty() };
+        if again && !self.was_cancelled {
             // The same problem backwards starts from other guesses.
             self.lost.clear();
             self.pass(&problem, true);
         }
-        if self.unfinished() {
+        if self.effort.insist && self.unfinished() {
             self.detour();
         }
-        if !self.was_cancelled && self.found.is_empty() && !self.effort.everything {
+        if self.effort.insist && !self.was_cancelled && self.found.is_empty() && !self.effort.everything {
             self.effort = Effort::THOROUGH;
             self.pass(&problem, false);
             self.pass(&problem, true);

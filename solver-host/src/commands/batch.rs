@@ -1,0 +1,98 @@
+//! Many requests from a file of JSON lines, answered in order, on all cores.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use mintime::solver::{Request, Turns};
+use mintime_shared::model::{Limits, State};
+use serde::Deserialize;
+use serde_json::json;
+
+use super::answer::answer;
+
+/// One line: a request. `turns` may be left out or null for the fastest.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    name: String,
+    from: [f64; 5],
+    to: [f64; 5],
+    thrust: [f64; 2],
+    rate: f64,
+    gravity: f64,
+    #[serde(default)]
+    turns: Option<i32>,
+}
+
+impl Line {
+    fn request(&self) -> Request {
+        let [thrust_min_mps2, thrust_max_mps2] = self.thrust;
+        Request {
+            from: State::from_array(self.from),
+            to: State::from_array(self.to),
+            limits: Limits {
+                thrust_min_mps2,
+                thrust_max_mps2,
+                rate_max_radps: self.rate,
+                gravity_mps2: self.gravity,
+            },
+            turns: self.turns.map_or(Turns::Any, Turns::Exactly),
+        }
+    }
+}
+
+/// All answers, one a line, and how many of them are errors.
+pub(crate) struct Answers {
+    pub(crate) text: String,
+    pub(crate) failed: usize,
+}
+
+/// Answers every line of a file.
+pub(crate) fn answer_file(path: &Path) -> Result<Answers, String> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| format!("{} cannot be read ({e}): give a file of JSON lines", path.display()))?;
+    let lines: Vec<(usize, &str)> = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty()).collect();
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = lines.len().div_ceil(workers).max(1);
+    let answered: Vec<(String, bool)> = std::thread::scope(|scope| {
+        let threads: Vec<_> = lines
+            .chunks(share)
+            .map(|chunk| {
+                scope.spawn(|| chunk.iter().map(|(i, line)| answer_line(*i, line)).collect::<Vec<_>>())
+            })
+            .collect();
+        // A worker that panicked would be a defect of the solver; its lines are missing rather than wrong.
+        threads.into_iter().flat_map(|t| t.join().unwrap_or_default()).collect()
+    });
+    let failed = answered.iter().filter(|(_, good)| !good).count() + (lines.len() - answered.len());
+    let mut out = String::new();
+    for (line, _) in answered {
+        // Writing to a string does not fail.
+        let _ = writeln!(out, "{line}");
+    }
+    Ok(Answers { text: out, failed })
+}
+
+/// One line's answer, and whether it is one.
+fn answer_line(index: usize, line: &str) -> (String, bool) {
+    let parsed: Line = match serde_json::from_str(line) {
+        Ok(parsed) => parsed,
+        Err(error) => {
+            let name = serde_json::from_str::<serde_json::Value>(line)
+                .ok()
+                .and_then(|v| v["name"].as_str().map(str::to_owned))
+                .unwrap_or_else(|| format!("line {}", index + 1));
+            return (failure(&name, &format!("line {} is not a request: {error}", index + 1)), false);
+        }
+    };
+    let solved = answer(&parsed.request(), Some(parsed.name.clone()));
+    match solved.map(|s| serde_json::to_string(&s.answer)) {
+        Ok(Ok(text)) => (text, true),
+        Ok(Err(error)) => (failure(&parsed.name, &error.to_string()), false),
+        Err(error) => (failure(&parsed.name, &error.to_string()), false),
+    }
+}
+
+fn failure(name: &str, error: &str) -> String {
+    json!({ "name": name, "error": error }).to_string()
+}

@@ -1,0 +1,340 @@
+//! The command as a person or a script uses it.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn mintime(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("it starts")
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&output.stdout)))
+}
+
+fn assert_success(output: &Output) {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// The refusal: exit status, one sentence on stderr, no files.
+fn refusal(arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = mintime(folder.path(), arguments);
+    assert!(!output.status.success(), "{arguments:?} succeeded");
+    let written = std::fs::read_dir(folder.path()).expect("readable").count();
+    assert_eq!(written, 0, "{arguments:?} left files");
+    let text = String::from_utf8(output.stderr).expect("text");
+    assert!(!text.contains("panicked"), "{arguments:?}: {text}");
+    text
+}
+
+#[test]
+fn fly_json_has_the_fields_of_the_interface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = mintime(folder.path(), &["fly", "--to", "5,5", "--json"]);
+    assert_success(&output);
+    let answer = json(&output);
+    let at = |path: &str| answer.pointer(path).unwrap_or_else(|| panic!("no {path}")).clone();
+    assert!((at("/maneuver/duration_s").as_f64().expect("a number") - 1.41122).abs() < 1e-5);
+    assert_eq!(at("/maneuver/turns"), 0);
+    assert!(at("/maneuver/table_bytes").as_u64().expect("a count") <= 128);
+    assert_eq!(at("/maneuver/verified"), true);
+    assert_eq!(at("/vehicle/kind"), "hosted");
+    assert_eq!(at("/vehicle/firmware_version"), env!("CARGO_PKG_VERSION"));
+    assert_eq!(at("/vehicle/protocol_version"), 1);
+    assert_eq!(at("/flight/outcome"), "completed");
+    assert_eq!(at("/flight/abort_reason"), Value::Null);
+    assert!(at("/flight/ticks").as_u64().expect("a count") > 1100);
+    assert_eq!(at("/flight/missed_ticks"), 0);
+    assert!((at("/flight/flown_duration_s").as_f64().expect("a number") - 1.41122).abs() < 1e-4);
+    for error in ["start_error", "final_error"] {
+        for field in ["x_m", "vx_mps", "z_m", "vz_mps", "theta_rad", "pitch_rate_radps"] {
+            assert!(at(&format!("/flight/{error}/{field}")).is_f64(), "{error}.{field}");
+        }
+    }
+    assert!(at("/virtual_time_s").as_f64() > Some(5.0));
+    assert!(at("/wall_time_s").is_f64());
+    assert_eq!((at("/log"), at("/report")), ("flight.mcap".into(), "flight.svg".into()));
+    for file in ["flight.mcap", "flight.svg"] {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn one_seed_gives_one_log_byte_by_byte_and_another_seed_another() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fly = |seed: &str, log: &str| {
+        let arguments = ["fly", "--to", "0,3", "--seed", seed, "--log", log, "--report", "r.png"];
+        assert_success(&mintime(folder.path(), &arguments));
+        std::fs::read(folder.path().join(log)).expect("a log")
+    };
+    let first = fly("3", "a.mcap");
+    assert!(first == fly("3", "b.mcap"), "two flights of one seed differ");
+    assert!(first != fly("4", "c.mcap"), "two seeds give one flight");
+    assert!(std::fs::read(folder.path().join("r.png")).expect("a picture").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_saved_table_flies_again_and_a_damaged_one_does_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let saved = ["fly", "--to", "-3,4", "--plant", "ideal", "--save-table", "t.bin"];
+    assert_success(&mintime(folder.path(), &saved));
+    let output = mintime(folder.path(), &["fly", "--table", "t.bin", "--plant", "ideal", "--json"]);
+    assert_success(&output);
+    assert_eq!(json(&output).pointer("/maneuver/verified"), Some(&Value::Bool(false)));
+
+    let mut bytes = std::fs::read(folder.path().join("t.bin")).expect("a table");
+    bytes[40] ^= 1;
+    std::fs::write(folder.path().join("t.bin"), &bytes).expect("writable");
+    let output = mintime(folder.path(), &["fly", "--table", "t.bin", "--json"]);
+    assert!(!output.status.success());
+    assert!(json(&output)["error"].as_str().expect("a sentence").contains("corrupt"));
+    let output = mintime(folder.path(), &["fly", "--table", "missing.bin"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("missing.bin"));
+}
+
+#[test]
+fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
+    let cases: [(&[&str], &str); 18] = [
+        (&["fly", "--to", "nan,5"], "not finite"),
+        (&["fly", "--to", "5,inf"], "not finite"),
+        (&["fly", "--to", "5"], "2 numbers"),
+        (&["fly", "--to", "five,5"], "not a number"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "9.81,20"], "cannot hover"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "1,9"], "cannot hover"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "20,1"], "below the maximum"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "-1,20"], "above zero"),
+        (&["fly", "--to", "5,5", "--thrust-per-mass", "1,80"], "plan within its limits"),
+        (&["fly", "--to", "5,5", "--max-body-rate", "0"], "above zero"),
+        (&["fly", "--to", "5,5", "--max-body-rate", "-3"], "above zero"),
+        (&["fly", "--to", "0,0"], "T = 0"),
+        (&["fly", "--to", "5,5", "--room", "-1,9,-4,9"], "behind"),
+        (&["fly", "--to", "5,5", "--room", "nan,9,-4,9"], "not finite"),
+        (&["fly", "--to", "5,5", "--plant", "no-such.toml"], "no-such.toml"),
+        (&["fly", "--to", "5,5", "--log", "no/such/folder.mcap"], "no/such"),
+        (&["fly", "--to", "5,5", "--report", "picture.gif"], ".svg"),
+        (&["fly", "--to", "5,5", "--log", "a.svg", "--report", "./a.svg"], "two outputs"),
+    ];
+    for (arguments, expected) in cases {
+        let text = refusal(arguments);
+        assert!(text.contains(expected), "{arguments:?}: {text}");
+    }
+}
+
+#[test]
+fn the_help_names_every_option_with_its_unit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = String::from_utf8(mintime(folder.path(), &["fly", "--help"]).stdout).expect("text");
+    for word in
+        ["--to", "--seed", "--vehicle", "--plant", "--room", "--log", "--report", "--json", "m/s²", "rad/s"]
+    {
+        assert!(text.contains(word), "{word} missing");
+    }
+}
+
+#[test]
+fn solve_json_has_the_fields_of_the_interface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = ["solve", "--from", "0,3,0,-1,0.5", "--to", "4,1", "--json", "-o", "m.table"];
+    let output = mintime(folder.path(), &arguments);
+    assert_success(&output);
+    let answer = json(&output);
+    let at = |path: &str| answer.pointer(path).unwrap_or_else(|| panic!("no {path}")).clone();
+    assert!((at("/duration_s").as_f64().expect("a number") - 0.920_986_637_638_280_3).abs() < 1e-9);
+    assert_eq!(at("/turns"), 0);
+    assert_eq!(at("/segments/1/rate"), "singular");
+    assert_eq!(at("/segments/5/thrust"), "min");
+    assert!(at("/segments/0/duration_s").is_f64());
+    assert_eq!(at("/costate").as_array().expect("a list").len(), 4);
+    for field in
+        ["hamiltonian", "control_law", "kelley", "singular_rate_max", "min_segment_s", "lower_bound_s"]
+    {
+        assert!(at(&format!("/certificate/{field}")).is_f64(), "{field}");
+    }
+    assert_eq!((at("/certificate/verified"), at("/certificate/degenerate")), (true.into(), false.into()));
+    assert_eq!(at("/certificate/final_state_error").as_array().expect("a list").len(), 5);
+    assert!(at("/alternatives").is_array());
+    assert!(at("/solve_time_s").is_f64());
+    let length = std::fs::metadata(folder.path().join("m.table")).expect("a table").len();
+    assert_eq!(at("/table_bytes"), length);
+}
+
+/// Every winding that could have won is told, fastest first; the durations are those of an independent solver.
+#[test]
+fn the_windings_that_lost_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let alternatives = |arguments: &[&str]| {
+        let output = mintime(folder.path(), arguments);
+        assert_success(&output);
+        let list = json(&output)["alternatives"].as_array().expect("a list").clone();
+        let pair =
+            |a: &Value| (a["turns"].as_i64().expect("turns"), a["duration_s"].as_f64().expect("a number"));
+        list.iter().map(pair).collect::<Vec<_>>()
+    };
+    let found = alternatives(&["solve", "--to", "5,5", "--json"]);
+    assert_eq!(found.iter().map(|a| a.0).collect::<Vec<_>>(), [1, -1, 2, -2]);
+    assert!((found[0].1 - 1.467_593_165_8).abs() < 1e-9 && (found[1].1 - 1.582_428_571_3).abs() < 1e-9);
+    // A mirror image ties; a flip is hardly slower than none.
+    let found = alternatives(&["solve", "--to", "0,3", "--json"]);
+    assert_eq!(found.iter().map(|a| a.0).collect::<Vec<_>>(), [-1, 0]);
+    assert_eq!(alternatives(&["solve", "--to", "5,5", "--turns", "1", "--json"]), []);
+}
+
+#[test]
+fn a_trajectory_begins_at_the_start_and_ends_at_the_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = ["solve", "--to", "-3,4", "--trajectory", "t.csv", "--sample-hz", "333"];
+    assert_success(&mintime(folder.path(), &arguments));
+    let text = std::fs::read_to_string(folder.path().join("t.csv")).expect("a file");
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("t_s,x_m,vx_mps,z_m,vz_mps,theta_rad,rate_radps,thrust_mps2,phi_r,phi_t"));
+    let rows: Vec<Vec<f64>> =
+        lines.map(|l| l.split(',').map(|v| v.parse().expect("a number")).collect()).collect();
+    let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+    assert!(first[..6].iter().all(|v| *v == 0.0));
+    assert!((last[1] + 3.0).abs() < 1e-9 && (last[3] - 4.0).abs() < 1e-9, "{last:?}");
+    assert!(rows.windows(2).all(|w| w[0][0] < w[1][0]), "time runs forwards");
+    // The control laws (16) and (20), sample by sample.
+    for row in &rows {
+        let (rate, thrust, phi_r, phi_t) = (row[6], row[7], row[8], row[9]);
+        assert!(rate * phi_r <= 1e-9 && (thrust - 10.5) * phi_t <= 1e-9, "{row:?}");
+    }
+}
+
+#[test]
+fn a_batch_is_answered_line_by_line_in_order() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let line = |name: &str, to: &str, extra: &str| {
+        format!(
+            r#"{{"name":"{name}","from":[0,0,0,0,0],"to":{to},"thrust":[1,20],"rate":10,"gravity":9.81{extra}}}"#
+        )
+    };
+    let good = [
+        line("a", "[5,0,5,0,0]", ""),
+        line("b", "[0,0,4,0,0]", r#","turns":-1"#),
+        line("same", "[0,0,0,0,0]", ""),
+        line("c", "[3,0,0,0,0]", r#","turns":null"#),
+    ];
+    std::fs::write(folder.path().join("good.jsonl"), good.join("\n")).expect("writable");
+    let output = mintime(folder.path(), &["solve", "--batch", "good.jsonl", "-o", "answers.jsonl"]);
+    assert_success(&output);
+    let text = std::fs::read_to_string(folder.path().join("answers.jsonl")).expect("answers");
+    let answers: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    let names: Vec<_> = answers.iter().map(|a| a["name"].as_str().expect("a name")).collect();
+    assert_eq!(names, ["a", "b", "same", "c"]);
+    assert_eq!(answers[1]["turns"], -1);
+    assert_eq!(answers[2]["duration_s"], 0.0);
+    assert!((answers[3]["duration_s"].as_f64().expect("a number") - 0.898_702_917_9).abs() < 1e-9);
+
+    let bad = [
+        line("a", "[5,0,5,0,0]", ""),
+        "{".to_owned(),
+        line("n", "[5,0,5,0]", ""),
+        line("x", "[1,0,1,0,0]", r#","turn":1"#),
+    ];
+    std::fs::write(folder.path().join("bad.jsonl"), bad.join("\n")).expect("writable");
+    let output = mintime(folder.path(), &["solve", "--batch", "bad.jsonl"]);
+    assert!(!output.status.success());
+    let text = String::from_utf8(output.stdout).expect("text");
+    let answers: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    assert_eq!(answers.len(), 4);
+    assert!(answers[0]["duration_s"].is_f64());
+    for (i, name) in [(1, "line 2"), (2, "n"), (3, "x")] {
+        assert_eq!(answers[i]["name"], name);
+        assert!(
+            answers[i]["error"].as_str().expect("a sentence").contains("not a request"),
+            "{}",
+            answers[i]
+        );
+    }
+}
+
+#[test]
+fn tables_are_shown_and_verified() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (to, turns) in [("5,5", "any"), ("0,4", "any"), ("15,0", "any"), ("0,0", "1"), ("1,-2", "-1")] {
+        assert_success(&mintime(folder.path(), &["solve", "--to", to, "--turns", turns, "-o", "m.table"]));
+        let output = mintime(folder.path(), &["show", "m.table", "--json"]);
+        assert_success(&output);
+        assert_eq!(json(&output)["kind"], "extremal");
+        let output = mintime(folder.path(), &["verify", "m.table", "--json"]);
+        assert_success(&output);
+        assert_eq!(json(&output)["verified"], true, "{to}");
+    }
+    std::fs::write(folder.path().join("noise"), [7; 100]).expect("writable");
+    for command in ["show", "verify"] {
+        let output = mintime(folder.path(), &[command, "noise"]);
+        assert!(!output.status.success());
+        assert!(String::from_utf8_lossy(&output.stderr).contains("corrupt"));
+    }
+}
+
+#[test]
+fn sweeps_write_a_line_for_every_point() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lines = |arguments: &[&str]| {
+        let output = mintime(folder.path(), arguments);
+        assert_success(&output);
+        String::from_utf8(output.stdout).expect("text").lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let horizontal = lines(&["sweep", "horizontal"]);
+    assert_eq!(horizontal.len(), 151);
+    assert!(horizontal[150].starts_with("15,0,1.8958423"), "{}", horizontal[150]);
+    let vertical = lines(&["sweep", "vertical", "--range", "-1,1,0.5"]);
+    assert_eq!(vertical.len(), 6);
+    assert_eq!(vertical[3], "0,0,0,0,,");
+    assert_eq!(lines(&["sweep", "map", "--points", "7,5"]).len(), 36);
+    let text = refusal(&["sweep", "map", "--points", "0,5"]);
+    assert!(text.contains("--points"), "{text}");
+    let text = refusal(&["sweep", "horizontal", "--range", "1,2,-1"]);
+    assert!(text.contains("--range"), "{text}");
+}
+
+#[test]
+fn solve_refuses_bad_input_in_one_sentence() {
+    let cases: [(&[&str], &str); 8] = [
+        (&["solve", "--to", "1,2,3"], "numbers separated by commas"),
+        (&["solve", "--to", "nan,2"], "not finite"),
+        (&["solve", "--to", "5,5", "--gravity", "0"], "gravity"),
+        (&["solve", "--to", "5,5", "--thrust-per-mass", "5,4"], "below the maximum"),
+        (&["solve", "--to", "5,5", "--turns", "99"], "turns"),
+        (&["solve", "--to", "5,5", "--sample-hz", "0"], "above zero"),
+        (&["solve", "--to", "0,0", "-o", "x.table"], "no table"),
+        (&["solve", "--batch", "none.jsonl"], "none.jsonl"),
+    ];
+    for (arguments, expected) in cases {
+        let text = refusal(arguments);
+        assert!(text.contains(expected), "{arguments:?}: {text}");
+    }
+}
+
+#[test]
+fn a_table_for_another_gravity_is_not_flown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let moon = ["solve", "--gravity", "1.62", "--to", "5,5", "--thrust-per-mass", "1,20", "-o", "moon.table"];
+    assert_success(&mintime(folder.path(), &moon));
+    let output = mintime(folder.path(), &["fly", "--table", "moon.table"]);
+    assert!(!output.status.success());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("gravity"));
+}
+
+/// `mintime ... | head` is no error.
+#[test]
+fn a_closed_pipe_is_no_panic() {
+    use std::process::Stdio;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(["sweep", "horizontal"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
+}
