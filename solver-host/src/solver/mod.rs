@@ -19,6 +19,7 @@
 //! # Ok::<(), mintime::solver::SolveError>(())
 //! ```
 
+mod conditions;
 mod dense;
 mod detour;
 mod dual;

@@ -8,6 +8,8 @@ use super::structure::Piece;
 
 /// Largest angle between samples of the switching functions, rad.
 const SAMPLE_ANGLE: f64 = 0.12;
+/// Further samples in the first and last step, as parts of it.
+const NEAR_THE_ENDS: [f64; 2] = [1.0 / 512.0, 1.0 / 16.0];
 
 /// One sample of a bang.
 #[derive(Clone, Copy)]
@@ -18,7 +20,8 @@ pub(crate) struct Sample {
     pub(crate) phi_t: f64,
 }
 
-/// h and Φ_T along a bang, ends included.
+/// h and Φ_T along a bang, ends included. Next to the ends the samples stand closer: where a switch should have become
+/// an arc, h dips below zero right beside it, for less than a whole step.
 pub(crate) fn sample(
     problem: &Problem,
     mu: f64,
@@ -32,10 +35,7 @@ pub(crate) fn sample(
     let sign = piece.sign();
     let thrust = problem.thrust(piece.inputs.thrust);
     let (s0, c0) = libm::sincos(node.state[4]);
-    let (ds, dc) = libm::sincos(sign * step);
-    let (mut s, mut c) = (s0, c0);
-    for i in 0..=count {
-        let a = step * i as f64;
+    let mut look = |a: f64, (s, c): (f64, f64)| {
         let t = node.t + mu * a;
         // ∫(sin θ, cos θ) dt at constant rate.
         let vx = node.state[1] + thrust * mu * sign * (c0 - c);
@@ -43,7 +43,20 @@ pub(crate) fn sample(
         let (p2, p4) = (costate.p2(t), costate.p4(t));
         let phi_t = p2 * s + p4 * c;
         each(Sample { a, h: 1.0 + costate.c1 * vx + costate.c3 * vz + thrust * phi_t - p4, phi_t });
+    };
+    let direction = |a: f64| libm::sincos(node.state[4] + sign * a);
+    look(0.0, (s0, c0));
+    for a in NEAR_THE_ENDS.map(|part| part * step) {
+        look(a, direction(a));
+    }
+    let (ds, dc) = libm::sincos(sign * step);
+    let (mut s, mut c) = (s0, c0);
+    for i in 1..count {
         (s, c) = (s * dc + c * ds, c * dc - s * ds);
+        look(step * i as f64, (s, c));
+    }
+    for a in NEAR_THE_ENDS.map(|part| piece.length - part * step).into_iter().rev().chain([piece.length]) {
+        look(a, direction(a));
     }
 }
 
@@ -98,15 +111,16 @@ impl Scan {
         Self { piece, tolerance, previous: [None; 2], dips: heapless::Vec::new(), open: None, worst: None }
     }
 
-    /// Notes a dip between equally spaced samples.
+    /// Notes a dip between samples.
     fn look_between(&mut self, a: f64, value: f64) {
         let [Some((b, v)), Some((c, w))] = self.previous else { return };
-        let step = a - b;
-        let curvature = 0.5 * (value - 2.0 * v + w) / (step * step);
-        if value < 0.0 || v < 0.0 || w < 0.0 || curvature <= 0.0 {
+        // The parabola through the three, by divided differences.
+        let first = (v - w) / (b - c);
+        let curvature = ((value - v) / (a - b) - first) / (a - c);
+        if value < 0.0 || v < 0.0 || w < 0.0 || curvature.is_nan() || curvature <= 0.0 {
             return;
         }
-        let slope = (value - w) / (2.0 * step);
+        let slope = first + curvature * (b - c);
         let at = b - slope / (2.0 * curvature);
         let least = v - slope * slope / (4.0 * curvature);
         if least < -self.tolerance && at > c && at < a {

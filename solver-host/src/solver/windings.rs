@@ -37,7 +37,7 @@ pub fn solve_all_windings_cancellable(
     let best_s = solution.extremal.duration_s();
     let turn = request.to.theta - request.from.theta;
     // Angles are any finite numbers: whole turns beyond the reach of an i32 are cut off by the range below.
-    let nearest = (-turn / TAU).round();
+    let nearest = libm::round(-turn / TAU);
     for offset in [-2.0, -1.0, 0.0, 1.0, 2.0] {
         let k = nearest + offset;
         let angle = (turn + k * TAU).abs();
