@@ -116,13 +116,11 @@ impl Topic {
                     ("thrust_mps2", number("Collective thrust per mass, m/s²")),
                     (
                         "phi_r",
-                        nullable(
-                            "Switching function of the pitch rate, dimensionless; null if there is none",
-                        ),
+                        number("Switching function of the pitch rate, dimensionless; null if there is none"),
                     ),
                     (
                         "phi_t",
-                        nullable("Switching function of the thrust, dimensionless; null if there is none"),
+                        number("Switching function of the thrust, dimensionless; null if there is none"),
                     ),
                 ],
             ),
@@ -231,9 +229,4 @@ fn log_level() -> Value {
     let levels: Vec<Value> =
         levels.iter().zip(0..).map(|(title, number)| json!({"title": title, "const": number})).collect();
     json!({"title": "foxglove.LogLevel", "description": "Log level", "oneOf": levels})
-}
-
-/// A number, or null where there is none.
-fn nullable(description: &str) -> Value {
-    json!({"type": ["number", "null"], "description": description})
 }
