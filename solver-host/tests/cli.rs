@@ -338,3 +338,33 @@ fn a_closed_pipe_is_no_panic() {
     let output = child.wait_with_output().expect("it ends");
     assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
 }
+
+/// A vehicle that cannot sink still has fastest maneuvers; only a table for it there is not.
+#[test]
+fn limits_that_cannot_hover_are_solved_but_not_packed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let climb = ["solve", "--to", "0,0,1,3,0", "--thrust-per-mass", "12,20", "--json"];
+    let output = mintime(folder.path(), &climb);
+    assert_success(&output);
+    assert_eq!(
+        (&json(&output)["certificate"]["verified"], &json(&output)["table_bytes"]),
+        (&true.into(), &0.into())
+    );
+    let text = refusal(&["solve", "--to", "0,0,1,3,0", "--thrust-per-mass", "12,20", "-o", "t.table"]);
+    assert!(text.contains("cannot hover"), "{text}");
+}
+
+/// Straight up at full thrust: one singular arc, its costate not unique, as fast as the lower bound.
+#[test]
+fn a_straight_push_is_its_own_lower_bound() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output =
+        mintime(folder.path(), &["solve", "--to", "0,0,1.27375,5.095,0", "--json", "-o", "up.table"]);
+    assert_success(&output);
+    let answer = json(&output);
+    let certificate = &answer["certificate"];
+    assert!((answer["duration_s"].as_f64().expect("a number") - 0.5).abs() < 1e-12);
+    assert!((certificate["lower_bound_s"].as_f64().expect("a number") - 0.5).abs() < 1e-6);
+    assert_eq!((&certificate["verified"], &certificate["degenerate"]), (&true.into(), &true.into()));
+    assert_success(&mintime(folder.path(), &["verify", "up.table"]));
+}

@@ -3,7 +3,7 @@
 use mintime::pack::{PackError, pack};
 use mintime::solver::{Certificate, Request, Solution, SolveError, solve_all_windings};
 use mintime_shared::model::{RateMode, ThrustLevel};
-use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable, TableError};
+use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable};
 use serde::Serialize;
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ pub(crate) struct Answer {
     pub(crate) certificate: Certificate,
     pub(crate) alternatives: Vec<AnswerAlternative>,
     pub(crate) solve_time_s: f64,
-    /// 0 where T = 0: there is no table.
+    /// 0 where there is no table.
     pub(crate) table_bytes: usize,
 }
 
@@ -41,8 +41,9 @@ pub(crate) struct AnswerAlternative {
 /// A request's answer with what stands behind it.
 pub(crate) struct Solved {
     pub(crate) answer: Answer,
-    /// `None` where T = 0.
-    pub(crate) maneuver: Option<(Solution, ManeuverTable)>,
+    /// `None` where T = 0. A maneuver may be right and still fit no table: beyond what a table or a flight controller can
+    /// do, or with limits that no vehicle can hover with.
+    pub(crate) maneuver: Option<(Solution, Result<ManeuverTable, PackError>)>,
 }
 
 /// Verification integrates every turn: beyond this rate it takes minutes, and no vehicle is there, rad/s.
@@ -55,10 +56,6 @@ pub(crate) enum AnswerError {
     Rate,
     #[error(transparent)]
     Solve(#[from] SolveError),
-    #[error(transparent)]
-    Pack(#[from] PackError),
-    #[error(transparent)]
-    Table(#[from] TableError),
 }
 
 /// Solves a request, packs the maneuver and replays the table.
@@ -72,8 +69,9 @@ pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, 
         result => result?,
     };
     let solve_time_s = clock.elapsed().as_secs_f64();
-    let table = pack(&solution.extremal, ANY_VEHICLE, 0.0)?;
-    let table_bytes = table.encode(&mut [0; MAX_TABLE_BYTES])?;
+    let table = pack(&solution.extremal, ANY_VEHICLE, 0.0);
+    let bytes = |t: &ManeuverTable| t.encode(&mut [0; MAX_TABLE_BYTES]).ok();
+    let table_bytes = table.as_ref().ok().and_then(bytes).unwrap_or(0);
     let extremal = &solution.extremal;
     let answer = Answer {
         name,

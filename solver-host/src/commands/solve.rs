@@ -130,7 +130,7 @@ impl Solve {
         if let Some((solution, table)) = &maneuver {
             if let Some(path) = &self.output {
                 let mut bytes = [0; MAX_TABLE_BYTES];
-                let length = table.encode(&mut bytes)?;
+                let length = table.clone()?.encode(&mut bytes)?;
                 write_bytes(path, &bytes[..length])?;
             }
             if let Some(path) = &self.trajectory {
@@ -157,6 +157,9 @@ impl Solve {
             print(&format!("{:#}", serde_json::to_value(&answer)?));
         } else {
             print(&page(&answer));
+            if let Some((_, Err(error))) = &maneuver {
+                print(&format!("           no table: {error}"));
+            }
         }
         Ok(())
     }

@@ -38,6 +38,7 @@ mod scan;
 mod search;
 mod sensitivity;
 mod starts;
+mod straight;
 mod structure;
 pub mod sweep;
 mod verify;

@@ -9,8 +9,10 @@ use super::newton::Newton;
 use super::path::{Bounds, Dead, Family, follow, settle};
 use super::problem::{Direction, Problem};
 use super::relax::{Relaxation, first_mu, relax};
+use super::request::MOST_TURNS;
 use super::rotation::rotation_limited;
 use super::starts::{LARGEST_TURN, Start, build, starts};
+use super::straight::straight;
 use super::structure::Candidate;
 
 /// How hard to look.
@@ -112,6 +114,9 @@ impl<'a> Search<'a> {
     /// Runs everything. False where the caller cancelled.
     pub(crate) fn run(&mut self) -> bool {
         let problem = self.problem;
+        if self.straight() {
+            return true;
+        }
         self.pass(&problem, false);
         self.rotation_limited();
         let again =
@@ -148,6 +153,19 @@ impl<'a> Search<'a> {
                 .all(|f| f.turns != turns || f.duration > (1.0 + TIE) * self.wound(turns).turn().abs())
         };
         self.lost.iter().filter(|(turns, _)| open(*turns)).map(|(_, t)| *t).fold(f64::INFINITY, f64::min)
+    }
+
+    /// A straight push is as fast as the relaxation: where there is one, the search is over.
+    fn straight(&mut self) -> bool {
+        let turns = -libm::round(self.problem.turn() / TAU);
+        if turns.abs() > f64::from(MOST_TURNS) || self.turns.is_some_and(|k| f64::from(k) != turns) {
+            return false;
+        }
+        if let Some(candidate) = straight(&self.wound(turns as i32)) {
+            let duration = candidate.duration(1.0);
+            self.add(candidate, turns as i32, duration);
+        }
+        !self.found.is_empty()
     }
 
     /// Maneuvers at the bound |Δθ|/ω_max of their winding.
