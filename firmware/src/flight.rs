@@ -36,7 +36,7 @@ pub type Outbox = Deque<Message, OUTBOX>;
 /// All that the flight logic gets to know in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickInput {
-    /// The vehicle's clock, µs since power-up. Never runs backwards.
+    /// The vehicle's clock, µs since power-up. Where it runs backwards the motors stop.
     pub now_us: u64,
     /// The sample that started this tick; `None` where it failed or stayed away.
     pub imu: Option<ImuSample>,

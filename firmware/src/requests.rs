@@ -161,7 +161,11 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Err(refusal) => Err(refusal),
             },
             // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
-            Request::Trigger { .. } if self.has_triggered(number, now_us) => Ok(Reply::Done),
+            Request::Trigger { checksum }
+                if self.has_triggered(number, now_us) && checksum == self.tables.committed_checksum() =>
+            {
+                Ok(Reply::Done)
+            }
             Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
                 Ok(()) => {
                     *conditions |= Conditions::TRIGGER;

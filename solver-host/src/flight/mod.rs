@@ -121,7 +121,7 @@ pub enum Outcome {
     Completed,
     /// The vehicle broke the maneuver off.
     Aborted,
-    /// The gate never opened; the vehicle was landed.
+    /// The gate never opened, or the vehicle refused the trigger; it was landed.
     NotTriggered,
     /// The maneuver was flown to its end but the vehicle was not caught.
     NotCaught,
@@ -405,7 +405,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         }
     }
 
-    /// Waits until nothing blocks arming, then arms.
+    /// Arms; waits for what passes by itself, such as the gyro's calibration.
     fn arm(&mut self) -> Result<(), FlightError> {
         let since = self.now_s;
         loop {
