@@ -6,10 +6,17 @@
 //!                                                                │
 //!                                        mission (truth against plan) ─→ flight_log, report
 //! ```
+//!
+//! Without the feature `std` only [`solver`] and [`pack`] are left, for targets with no operating system.
+#![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "std")]
 pub mod flight;
+#[cfg(feature = "std")]
 pub mod flight_log;
+#[cfg(feature = "std")]
 pub mod mission;
 pub mod pack;
+#[cfg(feature = "std")]
 pub mod report;
 pub mod solver;

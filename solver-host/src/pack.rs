@@ -56,7 +56,7 @@ pub fn pack(extremal: &Extremal, vehicle: u32, heading_rad: f64) -> Result<Maneu
     let table = ManeuverTable::new(header, arcs, segments)?;
     let miss = replay(&table, extremal.from).minus(extremal.end());
     let (position_m, velocity_mps, angle_rad) =
-        (miss.x.hypot(miss.z), miss.vx.hypot(miss.vz), miss.theta.abs());
+        (libm::hypot(miss.x, miss.z), libm::hypot(miss.vx, miss.vz), miss.theta.abs());
     if position_m <= REPLAY_POSITION_M && velocity_mps <= REPLAY_VELOCITY_MPS && angle_rad <= REPLAY_ANGLE_RAD
     {
         Ok(table)

@@ -82,7 +82,7 @@ pub(crate) fn repair(problem: &Problem, mu: f64, candidate: &mut Candidate) -> R
         return done(flip_thrust(candidate, &run));
     }
     if let Some(run) = rate_run {
-        return done(change_rate(candidate, &run, mu, problem, &costate, &nodes));
+        return done(change_rate(candidate, &run, mu));
     }
     Repair::None
 }
@@ -236,14 +236,7 @@ fn cut(candidate: &mut Candidate, run: &Run, middle: Piece) -> bool {
 }
 
 /// Mends a run on which h < 0, that is Φ_R has the sign of u_R.
-fn change_rate(
-    candidate: &mut Candidate,
-    run: &Run,
-    mu: f64,
-    problem: &Problem,
-    costate: &Costate<f64>,
-    nodes: &[Node; MAX_SEGMENTS + 1],
-) -> bool {
+fn change_rate(candidate: &mut Candidate, run: &Run, mu: f64) -> bool {
     let n = candidate.pieces.len();
     let i = run.piece;
     let piece = candidate.pieces[i];
@@ -290,7 +283,6 @@ fn change_rate(
         return candidate.insert(b, Piece { length: dr, ..left })
             && candidate.insert(b, Piece { length: dl, ..right });
     }
-    let _ = (problem, costate, nodes);
     if max_thrust {
         let arc = Piece::arc((0.5 * width * mu).max(INSERTED_LENGTH * mu));
         let centre = run.at.clamp(run.from, run.to);

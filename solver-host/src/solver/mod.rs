@@ -74,8 +74,14 @@ pub fn solve(request: &Request) -> Result<Solution, SolveError> {
 /// # Errors
 /// Those of [`solve`], and [`SolveError::Cancelled`].
 pub fn solve_cancellable(request: &Request, cancel: &AtomicBool) -> Result<Solution, SolveError> {
+    timed(|| solve_core(request, Effort::NORMAL, &|| cancel.load(Ordering::Relaxed)))
+}
+
+/// Adds the wall time to an error that tells it.
+#[cfg(feature = "std")]
+fn timed(work: impl FnOnce() -> Result<Solution, SolveError>) -> Result<Solution, SolveError> {
     let clock = std::time::Instant::now();
-    solve_core(request, Effort::NORMAL, &|| cancel.load(Ordering::Relaxed)).map_err(|error| match error {
+    work().map_err(|error| match error {
         SolveError::NotVerified { feasible_s, lower_bound_s, evaluations, .. } => SolveError::NotVerified {
             feasible_s,
             lower_bound_s,
@@ -84,6 +90,12 @@ pub fn solve_cancellable(request: &Request, cancel: &AtomicBool) -> Result<Solut
         },
         other => other,
     })
+}
+
+/// There is no clock here.
+#[cfg(not(feature = "std"))]
+fn timed(work: impl FnOnce() -> Result<Solution, SolveError>) -> Result<Solution, SolveError> {
+    work()
 }
 
 /// The maneuver for a request near one that is already solved, of the same winding and on the same branch: some ten to

@@ -61,7 +61,7 @@ impl Request {
         // The same attitude may be whole turns away.
         let away = (self.to.theta - self.from.theta) / core::f64::consts::TAU;
         let there = match self.turns {
-            Turns::Any => (away - away.round()).abs() < SAME_ANGLE,
+            Turns::Any => (away - libm::round(away)).abs() < SAME_ANGLE,
             Turns::Exactly(k) => (away + f64::from(k)).abs() < SAME_ANGLE,
         };
         if there && (State { theta: self.to.theta, ..self.from }) == self.to {
