@@ -8,9 +8,9 @@ use clap::{Args, ValueEnum};
 use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source};
 use mintime::report;
-use mintime::solver::Turns;
-use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
+use mintime_shared::model::{GRAVITY_MPS2, State};
 
+use super::limits::PlanArguments;
 use super::progress::Progress;
 use super::solve::write_bytes;
 use super::table::read_bytes;
@@ -34,18 +34,8 @@ pub(crate) struct Fly {
     /// Write the maneuver table to this file
     #[arg(long, value_name = "FILE")]
     save_table: Option<PathBuf>,
-    /// Planned collective thrust per mass, m/s²
-    #[arg(long, value_name = "MIN,MAX", value_parser = numbers::list::<2>, allow_hyphen_values = true,
-          default_value = "1,20")]
-    thrust_per_mass: [f64; 2],
-    /// Planned pitch rate, rad/s
-    #[arg(long, value_name = "W", value_parser = numbers::finite, allow_hyphen_values = true,
-          default_value = "10")]
-    max_body_rate: f64,
-    /// Full turns on the way: a whole number, or `any` for the fastest
-    #[arg(long, value_name = "K|any", value_parser = numbers::turns, allow_hyphen_values = true,
-          default_value = "any")]
-    turns: Turns,
+    #[command(flatten)]
+    plan: PlanArguments,
     /// What flies: `hosted` runs the flight logic in this process
     #[arg(long, value_enum, default_value = "hosted")]
     vehicle: VehicleKind,
@@ -98,14 +88,8 @@ impl Fly {
             (Some(path), _) => Source::Table(read_bytes(path)?),
             (None, to) => {
                 let [x, z] = to.unwrap_or_default();
-                let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
-                let limits = Limits {
-                    thrust_min_mps2,
-                    thrust_max_mps2,
-                    rate_max_radps: self.max_body_rate,
-                    gravity_mps2: GRAVITY_MPS2,
-                };
-                Source::Solve { to: State::at_rest(x, z), limits, turns: self.turns }
+                let limits = self.plan.limits(GRAVITY_MPS2);
+                Source::Solve { to: State::at_rest(x, z), limits, turns: self.plan.turns }
             }
         };
         let room = self.room.map(|[x0, x1, z0, z1]| Room { x_m: (x0, x1), z_m: (z0, z1) });

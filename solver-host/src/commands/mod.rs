@@ -4,6 +4,7 @@ mod answer;
 mod batch;
 mod explain;
 mod fly;
+mod limits;
 mod numbers;
 mod progress;
 mod recording;

@@ -8,13 +8,14 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mintime::flight_log::{OutputError, check_writable, write_whole};
-use mintime::solver::{Extremal, Request, Turns};
-use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
+use mintime::solver::{Extremal, Request};
+use mintime_shared::model::{GRAVITY_MPS2, State};
 use mintime_shared::table::MAX_TABLE_BYTES;
 
 use super::answer::{Answer, Solved, answer};
 use super::explain::explain;
 use super::fly::distinct;
+use super::limits::PlanArguments;
 use super::{batch, numbers, print};
 
 /// Arguments of `mintime solve`.
@@ -33,22 +34,12 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "X,Z | X,VX,Z,VZ,THETA", value_parser = numbers::state, allow_hyphen_values = true,
           required_unless_present = "batch")]
     to: Option<State<f64>>,
-    /// Collective thrust per mass, m/s²
-    #[arg(long, value_name = "MIN,MAX", value_parser = numbers::list::<2>, allow_hyphen_values = true,
-          default_value = "1,20")]
-    thrust_per_mass: [f64; 2],
-    /// Pitch rate, rad/s
-    #[arg(long, value_name = "W", value_parser = numbers::finite, allow_hyphen_values = true,
-          default_value = "10")]
-    max_body_rate: f64,
+    #[command(flatten)]
+    plan: PlanArguments,
     /// Gravity, m/s²
     #[arg(long, value_name = "G", value_parser = numbers::finite, allow_hyphen_values = true,
           default_value_t = GRAVITY_MPS2)]
     gravity: f64,
-    /// Full turns k; the end angle is THETA + 2πk: a whole number, or `any` for the fastest
-    #[arg(long, value_name = "K|any", value_parser = numbers::turns, allow_hyphen_values = true,
-          default_value = "any")]
-    turns: Turns,
     /// Write the maneuver table (or, with --batch, the answers) to this file
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     output: Option<PathBuf>,
@@ -107,17 +98,11 @@ impl Solve {
     }
 
     fn request(&self) -> Request {
-        let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
         Request {
             from: self.from,
             to: self.to.unwrap_or(self.from),
-            limits: Limits {
-                thrust_min_mps2,
-                thrust_max_mps2,
-                rate_max_radps: self.max_body_rate,
-                gravity_mps2: self.gravity,
-            },
-            turns: self.turns,
+            limits: self.plan.limits(self.gravity),
+            turns: self.plan.turns,
         }
     }
 

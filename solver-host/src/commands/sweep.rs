@@ -10,10 +10,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use clap::{Args, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use mintime::flight_log::check_writable;
-use mintime::solver::{Request, Solution, SolveError, Turns, solve};
+use mintime::solver::{Request, Solution, SolveError, solve};
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
 use super::answer::{rate_word, thrust_word};
+use super::limits::PlanArguments;
 use super::solve::write_text;
 use super::{numbers, print};
 
@@ -63,22 +64,12 @@ struct Map {
 
 #[derive(Args)]
 struct Common {
-    /// Collective thrust per mass, m/s²
-    #[arg(long, value_name = "MIN,MAX", value_parser = numbers::list::<2>, allow_hyphen_values = true,
-          default_value = "1,20")]
-    thrust_per_mass: [f64; 2],
-    /// Pitch rate, rad/s
-    #[arg(long, value_name = "W", value_parser = numbers::finite, allow_hyphen_values = true,
-          default_value = "10")]
-    max_body_rate: f64,
+    #[command(flatten)]
+    plan: PlanArguments,
     /// Gravity, m/s²
     #[arg(long, value_name = "G", value_parser = numbers::finite, allow_hyphen_values = true,
           default_value_t = GRAVITY_MPS2)]
     gravity: f64,
-    /// Full turns: a whole number, or `any` for the fastest
-    #[arg(long, value_name = "K|any", value_parser = numbers::turns, allow_hyphen_values = true,
-          default_value = "any")]
-    turns: Turns,
     /// Where to write the CSV; standard output without it
     #[arg(short = 'o', long = "output", value_name = "FILE.csv")]
     output: Option<PathBuf>,
@@ -147,13 +138,7 @@ enum Point {
 impl Common {
     fn sweep(&self, points: &[(f64, f64)]) -> Result<ExitCode, Box<dyn Error>> {
         self.output.as_deref().map(check_writable).transpose()?;
-        let [thrust_min_mps2, thrust_max_mps2] = self.thrust_per_mass;
-        let limits = Limits {
-            thrust_min_mps2,
-            thrust_max_mps2,
-            rate_max_radps: self.max_body_rate,
-            gravity_mps2: self.gravity,
-        };
+        let limits = self.plan.limits(self.gravity);
         limits.validate()?;
         let clock = std::time::Instant::now();
         let solved = self.solve_all(points, limits);
@@ -224,7 +209,8 @@ impl Common {
     }
 
     fn solve_point(&self, (x, z): (f64, f64), limits: Limits<f64>) -> Point {
-        let request = Request { from: State::origin(), to: State::at_rest(x, z), limits, turns: self.turns };
+        let request =
+            Request { from: State::origin(), to: State::at_rest(x, z), limits, turns: self.plan.turns };
         match solve(&request) {
             Ok(solution) => Point::Solved(Box::new(solution)),
             Err(SolveError::AlreadyThere) => Point::Here,

@@ -8,15 +8,16 @@ mod client;
 mod connection;
 mod estimator;
 mod hosted;
+mod outcome;
 mod position_control;
 
 pub use client::{Client, ClientError};
 pub use connection::{Connection, ConnectionError, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
 pub use hosted::{HostedVehicle, Trace};
+pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Witness};
 pub use position_control::{Reference, control};
 
-use connection::describe;
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
     Request, Setpoint,
@@ -59,112 +60,6 @@ const TRIGGER_TIMEOUT_S: f64 = 0.5;
 const LANDED_HEIGHT_M: f64 = 0.02;
 /// A touch-down takes no longer than this, s.
 const LAND_TIMEOUT_S: f64 = 60.0;
-
-/// What to fly and where.
-#[derive(Clone, Debug)]
-pub struct FlightPlan {
-    /// The table to upload.
-    pub table: ManeuverTable,
-    /// Where the maneuver starts, world frame, m.
-    pub start_m: Vector3<f64>,
-}
-
-impl FlightPlan {
-    /// Where the maneuver should end, world frame, m.
-    pub fn end_m(&self) -> Vector3<f64> {
-        let (start, end) = (self.table.start, self.table.end);
-        let along = f64::from(end.x - start.x);
-        let heading = f64::from(self.table.heading_rad);
-        self.start_m + Vector3::new(along * heading.cos(), along * heading.sin(), f64::from(end.z - start.z))
-    }
-}
-
-/// Why a flight did not take place or was not seen to its end.
-#[derive(Debug, thiserror::Error)]
-pub enum FlightError {
-    /// The vehicle refused, or did not answer.
-    #[error("{during}: {source}")]
-    Client {
-        /// What was being done.
-        during: &'static str,
-        /// What came back.
-        source: ClientError,
-    },
-    /// Line or cameras failed.
-    #[error(transparent)]
-    Connection(#[from] ConnectionError),
-    /// The table does not suit the vehicle.
-    #[error("{0}")]
-    Table(#[from] TableError),
-    /// The table read back is not the one sent.
-    #[error("the table read back from the vehicle differs from the one sent: try again, check the line")]
-    ReadBack,
-    /// The vehicle is not ready to arm.
-    #[error("the vehicle does not become ready: {0}")]
-    NotReady(Refusal),
-    /// The vehicle left the expected state.
-    #[error("the vehicle is {} instead of {during}{}", describe(*.state), .reason.map(|r| format!(": {r}")).unwrap_or_default())]
-    Lost {
-        /// What it should have been doing.
-        during: &'static str,
-        /// What it is doing.
-        state: FlightState,
-        /// Why, as it says.
-        reason: Option<AbortReason>,
-    },
-}
-
-/// How a flight went.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// The maneuver was flown to its end and the vehicle caught.
-    Completed,
-    /// The vehicle broke the maneuver off.
-    Aborted,
-    /// The gate never opened, or the vehicle refused the trigger; it was landed.
-    NotTriggered,
-    /// The maneuver was flown to its end but the vehicle was not caught.
-    NotCaught,
-}
-
-impl Outcome {
-    /// One word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Completed => "completed",
-            Self::Aborted => "aborted",
-            Self::NotTriggered => "not-triggered",
-            Self::NotCaught => "not-caught",
-        }
-    }
-}
-
-/// What a flight brought back.
-#[derive(Clone, Debug)]
-pub struct FlightResult {
-    /// How it went.
-    pub outcome: Outcome,
-    /// Why it went otherwise than planned, in words.
-    pub reason: Option<String>,
-    /// Who flew.
-    pub identity: Identity,
-    /// Duration flown, s: T if the maneuver ran to its end.
-    pub flown_duration_s: f64,
-    /// The vehicle's record: the first of its ticks, as many as its memory holds.
-    pub record: Vec<RecordedTick>,
-    /// Control ticks of the maneuver.
-    pub ticks: u32,
-    /// Ticks that are missing between them by the vehicle's clock.
-    pub missed_ticks: u32,
-}
-
-/// Told about the flight as it goes.
-pub trait Witness {
-    /// A new phase began at this time, s.
-    fn phase(&mut self, phase: Phase, now_s: f64);
-    /// Something worth a line.
-    fn event(&mut self, now_s: f64, text: &str);
-}
 
 /// How a maneuver ended.
 enum Ended {
