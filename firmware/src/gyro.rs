@@ -99,8 +99,9 @@ impl Gyro {
         let saturated = raw.iter().any(|r| r.abs() >= GYRO_SATURATION_RADPS);
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
         let spread = |bias: [f32; 3]| raw.iter().zip(bias).any(|(r, b)| (r - b).abs() > STILL_SPREAD_RADPS);
-        if self.bias_radps.is_some_and(spread) {
-            // A hand on the vehicle counts at once, stillness only after a whole window.
+        if !self.moving && self.bias_radps.is_some_and(spread) {
+            // A hand on the vehicle counts at once, stillness only after a whole window. Once it counts as moving the window
+            // alone decides, so that a bias learned wrong or drifted away is learned anew.
             self.moving = true;
             self.calibration = Calibration::EMPTY;
         } else if calibrate {

@@ -422,6 +422,23 @@ fn a_vehicle_that_begins_to_move_is_not_armed() {
     bench.arm();
 }
 
+/// A bias learned on a vehicle that turned slowly and evenly is unlearned when it stands.
+#[test]
+fn a_wrong_bias_is_learned_anew() {
+    let mut bench = Bench::new();
+    for _ in 0..900 {
+        let mut sample = bench.sample();
+        sample.gyro_radps[2] += 0.08;
+        bench.tick_with(Some(sample), TICK_US, &[]);
+    }
+    // Standing still now reads as turning backwards.
+    assert!((bench.telemetry().rates_radps[2] + 0.08).abs() < 5e-3);
+    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    bench.run(800);
+    assert!(bench.telemetry().rates_radps[2].abs() < 5e-3);
+    bench.arm();
+}
+
 /// Every timeout hangs on the clock: one that runs backwards stops the motors, whatever they were doing.
 #[test]
 fn a_clock_that_runs_backwards_stops_the_motors() {
