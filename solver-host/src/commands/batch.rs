@@ -76,11 +76,9 @@ pub(crate) fn answer_file(path: &Path) -> Result<Answers, String> {
     let answered: Vec<(String, bool)> = std::thread::scope(|scope| {
         let threads: Vec<_> = lines
             .chunks(share)
-            .map(|chunk| {
-                scope.spawn(|| chunk.iter().map(|(i, line)| answer_line(*i, line)).collect::<Vec<_>>())
-            })
+            .map(|chunk| scope.spawn(|| chunk.iter().map(|(i, line)| guarded(*i, line)).collect::<Vec<_>>()))
             .collect();
-        // A worker that panicked would be a defect of the solver; its lines are missing rather than wrong.
+        // Nothing panics outside `guarded`.
         threads.into_iter().flat_map(|t| t.join().unwrap_or_default()).collect()
     });
     let failed = answered.iter().filter(|(_, good)| !good).count() + (lines.len() - answered.len());
@@ -90,6 +88,13 @@ pub(crate) fn answer_file(path: &Path) -> Result<Answers, String> {
         let _ = writeln!(out, "{line}");
     }
     Ok(Answers { text: out, failed })
+}
+
+/// [`answer_line`], and where it panics, which would be a defect, an error for this line instead of none for all.
+fn guarded(index: usize, line: &str) -> (String, bool) {
+    std::panic::catch_unwind(|| answer_line(index, line)).unwrap_or_else(|_| {
+        (failure(&format!("line {}", index + 1), "the solver failed on this line: please report it"), false)
+    })
 }
 
 /// One line's answer, and whether it is one.

@@ -173,7 +173,8 @@ fn split_arc(candidate: &mut Candidate, index: usize, node: &Node, mu: f64) -> b
     let arc = Costate::from_array(candidate.c).arc(node.t);
     let k2 = arc.rate * arc.rate + arc.drift * arc.drift;
     let rate = if arc.rate > 0.0 { RateMode::Plus } else { RateMode::Minus };
-    let nearest = (arc.drift / k2).clamp(0.0, piece.length);
+    // Not `clamp`: a length that rounding made negative must not matter here.
+    let nearest = (arc.drift / k2).min(piece.length).max(0.0);
     // Where the fastest point is an end of the arc and a bang the other way is next to it, the new bang goes between
     // them. With the rate rising linearly to the end, a time s after it crosses the limit, Φ_R returns to zero for a
     // bang of 1.5 s.
@@ -207,7 +208,7 @@ fn fast_part(arc: &Arc<f64>, length: f64, mu: f64) -> (f64, f64) {
     let k2 = arc.rate * arc.rate + arc.drift * arc.drift;
     let centre = arc.drift / k2;
     let half = libm::sqrt((centre * centre - (1.0 - arc.rate.abs() * mu) / k2).max(0.0));
-    ((centre - half).clamp(0.0, length), (centre + half).clamp(0.0, length))
+    ((centre - half).min(length).max(0.0), (centre + half).min(length).max(0.0))
 }
 
 /// Flips the thrust on a run.

@@ -10,10 +10,11 @@ use super::path::{Bounds, Dead, Family, follow, settle};
 use super::problem::{Direction, Problem};
 use super::relax::{Relaxation, first_mu, relax};
 use super::request::MOST_TURNS;
+use super::rigid::rigid;
 use super::rotation::rotation_limited;
 use super::starts::{LARGEST_TURN, Start, build, starts};
 use super::straight::straight;
-use super::structure::Candidate;
+use super::structure::{Candidate, Piece};
 
 /// How hard to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +52,8 @@ const DOUBTFUL: f64 = 1.08;
 const FIRST_MU_FACTORS: [f64; 3] = [1.0, 0.2, 0.04];
 /// Two durations this close, relative, are the same maneuver or its mirror image.
 pub(crate) const TIE: f64 = 1e-9;
+/// Angle of a bang that does nothing, rad.
+const IDLE: f64 = 1e-5;
 /// Most lost paths remembered.
 const MAX_LOST: usize = 8;
 /// Windings looked at for maneuvers at their bound; start and end angles further apart need them to be asked for.
@@ -119,6 +122,7 @@ impl<'a> Search<'a> {
         }
         self.pass(&problem, false);
         self.rotation_limited();
+        self.rigid();
         let again =
             if self.effort.insist { self.unfinished() || self.doubtful } else { self.found.is_empty() };
         if again && !self.was_cancelled {
@@ -184,6 +188,47 @@ impl<'a> Search<'a> {
                 self.add(candidate, turns, bound);
             }
         }
+    }
+
+    /// Maneuvers with fewer free numbers than end conditions. Rest to rest at one angle has none: it needs at least three
+    /// rate switches.
+    fn rigid(&mut self) {
+        let (f, g) = (&self.problem.from, &self.problem.to);
+        let at_rest = |s: &[f64; 5]| s[1] == 0.0 && s[3] == 0.0;
+        if at_rest(f) && at_rest(g) && f[4] == g[4] {
+            return;
+        }
+        let Some(relaxed) = relax(&self.problem) else { return };
+        let windings = match self.turns {
+            Some(k) => k..=k,
+            None => -WINDINGS..=WINDINGS,
+        };
+        for turns in windings {
+            let problem = self.wound(turns);
+            let best = self.best();
+            if problem.turn().abs() >= best || (self.turns.is_none() && problem.turn().abs() > LARGEST_TURN) {
+                continue;
+            }
+            let deep = self.effort.insist
+                && (!self.lost.is_empty() || self.doubtful || self.found.is_empty() || self.idle());
+            let mut faster: Option<Candidate> = None;
+            rigid(&problem, &relaxed, best * (1.0 + TIE), deep, |candidate| {
+                let better = faster.as_ref().is_none_or(|f| candidate.duration(1.0) < f.duration(1.0));
+                if better && (self.verified)(&candidate, turns) {
+                    faster = Some(candidate);
+                }
+            });
+            if let Some(candidate) = faster {
+                let duration = candidate.duration(1.0);
+                self.add(candidate, turns, duration);
+            }
+        }
+    }
+
+    /// A maneuver was found that begins or ends with a bang of no length beside an arc: it is simpler than that.
+    fn idle(&self) -> bool {
+        let idle = |piece: Option<&Piece>| piece.is_some_and(|p| !p.is_arc() && p.length < IDLE);
+        self.found.iter().any(|f| idle(f.candidate.pieces.first()) || idle(f.candidate.pieces.last()))
     }
 
     /// What was found is hardly slower than where a path died, so that path has nothing better to offer.
@@ -336,12 +381,17 @@ impl<'a> Search<'a> {
         Some((candidate, duration))
     }
 
-    /// Keeps the best of each winding.
+    /// Keeps the best of each winding; of two that are equally fast the simpler one.
     fn add(&mut self, candidate: Candidate, turns: i32, duration: f64) {
         if !(duration.is_finite() && duration > 0.0) {
             return;
         }
-        if self.found.iter().any(|f| f.turns == turns && duration >= f.duration * (1.0 - TIE)) {
+        let as_good = |f: &Found| {
+            let pieces = f.candidate.pieces.len();
+            let limit = if candidate.pieces.len() < pieces { 1.0 + TIE } else { 1.0 - TIE };
+            f.turns == turns && duration >= f.duration * limit
+        };
+        if self.found.iter().any(as_good) {
             return;
         }
         if !(self.verified)(&candidate, turns) {

@@ -5,7 +5,7 @@
 //! Taylor coefficients follow from recurrences to any order, which is both faster and more accurate here than a
 //! Runge-Kutta rule. It restarts at every switch.
 
-use mintime_shared::model::{RateMode, ThrustLevel};
+use mintime_shared::model::{RateMode, Segment, ThrustLevel};
 use serde::{Deserialize, Serialize};
 
 use super::extremal::Extremal;
@@ -44,6 +44,8 @@ pub const FINAL_STATE_TOLERANCE: f64 = 1e-10;
 pub const LAW_TOLERANCE: f64 = 1e-9;
 /// Excess of |u_R| over 1 on an arc that is rounding.
 pub const RATE_TOLERANCE: f64 = 1e-9;
+/// Angle of a bang that does nothing, rad: a maneuver that begins with one and goes on with an arc begins on the arc.
+const IDLE: f64 = 1e-5;
 /// |c| beyond which the multiplier of the cost is as good as zero.
 const ABNORMAL: f64 = 1e4;
 
@@ -118,11 +120,10 @@ pub fn verify(extremal: &Extremal) -> Certificate {
         && kelley >= -law
         && run.singular_rate <= 1.0 + RATE_TOLERANCE
         && shortest > 0.0;
-    let on_arc = |s: Option<&mintime_shared::model::Segment<f64>>| {
-        s.is_some_and(|s| s.inputs.rate == RateMode::Singular)
-    };
-    let degenerate = on_arc(extremal.segments.first())
-        || on_arc(extremal.segments.last())
+    let idle = |s: &&Segment<f64>| s.inputs.rate != RateMode::Singular && s.duration * rate < IDLE;
+    let on_arc = |s: Option<&Segment<f64>>| s.is_some_and(|s| s.inputs.rate == RateMode::Singular);
+    let degenerate = on_arc(extremal.segments.iter().find(|s| !idle(s)))
+        || on_arc(extremal.segments.iter().rev().find(|s| !idle(s)))
         || costate_size > ABNORMAL
         || run.c == [0.0; 4];
     let problem = Problem::new(extremal.from, extremal.to, limits, extremal.turns);
