@@ -2,7 +2,7 @@
 
 mod requests;
 
-use mintime::solver::{Request, Turns, solve};
+use mintime::solver::{Request, SolveError, Turns, solve};
 use mintime_shared::model::{Limits, State};
 use requests::{Class, requests};
 
@@ -115,4 +115,42 @@ fn better_limits_are_never_slower() {
             assert!(better <= t * (1.0 + EQUAL), "{request:?} {limits:?}: {better} after {t}");
         }
     }
+}
+
+/// Near hover the dynamics are homogeneous for short times: tilt scales with T, the horizontal velocity with T².
+#[test]
+fn tiny_corrections_take_as_long_as_their_scaling_says() {
+    let rest = State { x: 0.0, vx: 0.0, z: 0.0, vz: 0.0, theta: 0.0 };
+    let from = |start: State<f64>| Request { from: start, ..Request::rest_to_rest(0.0, 0.0) };
+    // T over tilt tends to 2.6633e-1 s/rad at 10 rad/s, T²/v to 0.10865 s²·s/m; corrections are of first order in T.
+    let (mut last_tilt, mut last_stop) = (0.0, 0.0);
+    for exponent in 2..=6 {
+        let small = 10.0_f64.powi(-exponent);
+        let tilt = duration(&from(State { theta: small, ..rest })) / small;
+        let stop = duration(&from(State { vx: small, ..rest })).powi(2) / small;
+        let change = 20.0 * small.sqrt();
+        assert!(last_tilt == 0.0 || (tilt / last_tilt - 1.0).abs() < change, "{small} rad: {tilt} {last_tilt}");
+        assert!(last_stop == 0.0 || (stop / last_stop - 1.0).abs() < change, "{small} m/s: {stop} {last_stop}");
+        (last_tilt, last_stop) = (tilt, stop);
+    }
+    assert!((last_tilt - 0.266_334).abs() < 1e-5 && (last_stop - 0.108_645).abs() < 1e-4, "{last_tilt} {last_stop}");
+}
+
+/// A vehicle whose least thrust lifts it cannot hover, but it has fastest maneuvers.
+#[test]
+fn a_vehicle_that_cannot_hover_is_solved_or_refused_with_a_reason() {
+    let mut solved = 0;
+    for (i, request) in sample(&[Class::RestToRest, Class::Moving], 20).into_iter().enumerate() {
+        let thrust_min_mps2 = 9.81 + 0.1 * i as f64;
+        let limits = Limits { thrust_min_mps2, ..request.limits };
+        match solve(&Request { limits, ..request }) {
+            Ok(solution) => {
+                assert!(solution.certificate.verified);
+                solved += 1;
+            }
+            Err(SolveError::NotVerified { .. }) => {}
+            Err(error) => panic!("{request:?}: {error}"),
+        }
+    }
+    assert!(solved >= 35, "{solved} of 50");
 }

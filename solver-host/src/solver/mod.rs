@@ -43,6 +43,7 @@ mod starts;
 mod straight;
 mod structure;
 pub mod sweep;
+mod tiny;
 mod verify;
 mod windings;
 

@@ -139,15 +139,7 @@ const CHAIN: usize = 40;
 /// A rigorous lower bound without any iteration that could fail: starting from elementary bounds, the energy-optimal
 /// costate at the bound so far rules out an interval beyond it, again and again.
 fn chained_bound(problem: &Problem) -> f64 {
-    let (f, g) = (&problem.from, &problem.to);
-    let authority = problem.u_max + 1.0;
-    let distance = libm::hypot(g[0] - f[0], g[2] - f[2]);
-    let speed_change = libm::hypot(g[1] - f[1], g[3] - f[3]);
-    let speed = libm::hypot(f[1], f[3]);
-    // By the mean acceleration, and by covering the distance at full acceleration from the initial speed.
-    let by_distance = 2.0 * distance
-        / (libm::sqrt(speed * speed + 2.0 * authority * distance) + speed).max(f64::MIN_POSITIVE);
-    let mut bound = (speed_change / authority).max(by_distance);
+    let mut bound = elementary_bound(problem);
     for _ in 0..CHAIN {
         let mut p = energy_costate(problem, bound);
         normalise(&mut p);
@@ -159,6 +151,50 @@ fn chained_bound(problem: &Problem) -> f64 {
     }
     bound
 }
+
+/// By the mean acceleration, and by covering the distance at full acceleration from the initial speed.
+fn elementary_bound(problem: &Problem) -> f64 {
+    let (f, g) = (&problem.from, &problem.to);
+    let authority = problem.u_max + 1.0;
+    let distance = libm::hypot(g[0] - f[0], g[2] - f[2]);
+    let speed_change = libm::hypot(g[1] - f[1], g[3] - f[3]);
+    let speed = libm::hypot(f[1], f[3]);
+    let by_distance = 2.0 * distance
+        / (libm::sqrt(speed * speed + 2.0 * authority * distance) + speed).max(f64::MIN_POSITIVE);
+    (speed_change / authority).max(by_distance)
+}
+
+/// A lower bound from a costate near the relaxation's own, such as that of the extremal itself: one or two ascents instead
+/// of the whole solution, and rigorous whatever it is given. Never above, and hardly below, that of [`relax`].
+pub(crate) fn lower_bound_near(problem: &Problem, c: [f64; 4], duration: f64) -> Option<f64> {
+    let [c1, c2, c3, c4] = c;
+    let mut p = [c2, c4, c2 - c1 * duration, c4 - c3 * duration];
+    normalise(&mut p);
+    let mut bound = elementary_bound(problem);
+    let (low, mut t) = excluded(problem, &p);
+    if t.is_nan() || low > bound || t <= bound {
+        return None;
+    }
+    bound = t;
+    for _ in 0..ASCENTS {
+        let Some((delta, _)) = newton(problem, &p, t, SMOOTHING.1) else { break };
+        let mut next: [f64; 4] = core::array::from_fn(|i| p[i] + delta[i]);
+        normalise(&mut next);
+        let (low, high) = excluded(problem, &next);
+        if low.is_nan() || low > bound || high <= bound {
+            break;
+        }
+        let gain = high / bound - 1.0;
+        (p, t, bound) = (next, high, high);
+        if gain < 1e-7 {
+            break;
+        }
+    }
+    Some(bound)
+}
+
+/// Steps of [`lower_bound_near`].
+const ASCENTS: usize = 4;
 
 /// Solves the relaxation. `None` where start and end coincide (T = 0) or Newton fails altogether.
 pub(crate) fn relax(problem: &Problem) -> Option<Relaxation> {
@@ -174,31 +210,11 @@ pub(crate) fn relax(problem: &Problem) -> Option<Relaxation> {
     let mut solved = false;
     loop {
         for _ in 0..ITERATIONS {
-            let mut dual = [Dual::<4>::constant(0.0); 4];
-            for i in 0..4 {
-                dual[i] = Dual::variable(p[i], i);
-            }
-            let k = support(&dual, Dual::constant(smoothing * smoothing));
-            let b = demand(problem, t);
-            let slope = {
-                let h = 1e-6 * t;
-                let (up, down) = (demand(problem, t + h), demand(problem, t - h));
-                core::array::from_fn::<f64, 4, _>(|i| (up[i] - down[i]) / (2.0 * h))
-            };
-            let residual: [f64; 4] = core::array::from_fn(|i| k[i].value + b[i]);
-            let size = libm::sqrt(dot(&residual, &residual));
+            let Some((delta, size)) = newton(problem, &p, t, smoothing) else { break };
             solved = size < SOLVED;
             if solved {
                 break;
             }
-            let mut matrix = [[0.0; 6]; 5];
-            for i in 0..4 {
-                matrix[i][..4].copy_from_slice(&k[i].grad);
-                matrix[i][4] = slope[i];
-                matrix[i][5] = -residual[i];
-            }
-            matrix[4][..4].copy_from_slice(&p);
-            let Some(delta) = gauss(&mut matrix) else { break };
             // Damping: the residual must shrink, and T may not move by more than a third at once.
             let mut scale = (0.3 * t / delta[4].abs().max(f64::MIN_POSITIVE)).min(1.0);
             let mut accepted = false;
@@ -241,6 +257,27 @@ pub(crate) fn relax(problem: &Problem) -> Option<Relaxation> {
     Some(Relaxation { duration: t, c: constants(problem, &mut p, t, PUSH * first_mu(t)), lower_bound: bound })
 }
 
+/// Newton's step in (p, T) at one smoothing, and the residual.
+fn newton(problem: &Problem, p: &[f64; 4], t: f64, smoothing: f64) -> Option<([f64; 5], f64)> {
+    let dual: [Dual<4>; 4] = core::array::from_fn(|i| Dual::variable(p[i], i));
+    let k = support(&dual, Dual::constant(smoothing * smoothing));
+    let b = demand(problem, t);
+    let slope = {
+        let h = 1e-6 * t;
+        let (up, down) = (demand(problem, t + h), demand(problem, t - h));
+        core::array::from_fn::<f64, 4, _>(|i| (up[i] - down[i]) / (2.0 * h))
+    };
+    let residual: [f64; 4] = core::array::from_fn(|i| k[i].value + b[i]);
+    let mut matrix = [[0.0; 6]; 5];
+    for i in 0..4 {
+        matrix[i][..4].copy_from_slice(&k[i].grad);
+        matrix[i][4] = slope[i];
+        matrix[i][5] = -residual[i];
+    }
+    matrix[4][..4].copy_from_slice(p);
+    Some((gauss(&mut matrix)?, libm::sqrt(dot(&residual, &residual))))
+}
+
 /// Pushes p away from zero and scales it by H(0) = 0.
 fn constants(problem: &Problem, p: &mut [f64; 4], t: f64, push: f64) -> [f64; 4] {
     let (dx, dz) = (p[2] - p[0], p[3] - p[1]);
@@ -263,4 +300,35 @@ fn constants(problem: &Problem, p: &mut [f64; 4], t: f64, push: f64) -> [f64; 4]
     // h = −1 after scaling. It is negative where the maneuver's duration is positive; guard against rounding at zero.
     let scale = if h < -1e-6 * magnitude { -1.0 / h } else { 1.0 / (problem.u_max * magnitude).max(1e-12) };
     c.map(|v| v * scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::{Request, solve};
+
+    #[test]
+    fn the_bound_near_an_extremal_is_that_of_the_relaxation() {
+        for (x, z) in [(5.0, 5.0), (10.0, -5.0), (0.0, 6.0), (15.0, 0.0), (0.01, 0.0), (-12.0, 9.0)] {
+            let extremal = solve(&Request::rest_to_rest(x, z)).expect("solved").extremal;
+            let problem = extremal.problem();
+            let full = relax(&problem).expect("not at the end already").lower_bound;
+            let duration = extremal.duration_s() * extremal.limits.rate_max_radps;
+            let near = lower_bound_near(&problem, extremal.costate.to_array(), duration).expect("a bound");
+            // Never above the relaxation's optimum, which `full` is to rounding.
+            assert!(near <= full * (1.0 + 1e-9) && near > full * (1.0 - 1e-6), "({x}, {z}): {near} {full}");
+        }
+    }
+
+    #[test]
+    fn a_costate_that_has_nothing_to_do_with_the_problem_gives_a_lower_bound_all_the_same() {
+        let extremal = solve(&Request::rest_to_rest(5.0, 5.0)).expect("solved").extremal;
+        let problem = extremal.problem();
+        let full = relax(&problem).expect("not at the end already").lower_bound;
+        for c in [[0.3, -1.0, 0.1, 0.2], [0.0, 0.0, 0.0, -1.0], [-2.0, 0.0, 5.0, 1.0], [0.0, 1.0, 0.0, 0.0]] {
+            if let Some(bound) = lower_bound_near(&problem, c, 14.0) {
+                assert!(bound <= full * (1.0 + 1e-9), "{c:?}: {bound} {full}");
+            }
+        }
+    }
 }

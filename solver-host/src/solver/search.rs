@@ -15,6 +15,7 @@ use super::rotation::rotation_limited;
 use super::starts::{LARGEST_TURN, Start, build, starts};
 use super::straight::straight;
 use super::structure::{Candidate, Piece};
+use super::tiny;
 
 /// How hard to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,6 +130,9 @@ impl<'a> Search<'a> {
             // The same problem backwards starts from other guesses.
             self.lost.clear();
             self.pass(&problem, true);
+        }
+        if self.effort.insist && tiny::doubtful(&problem, self.best()) {
+            self.enlarge();
         }
         if self.effort.insist && self.unfinished() {
             self.detour();
@@ -328,6 +332,28 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Solves a tiny problem at an ordinary size and shrinks its maneuver.
+    fn enlarge(&mut self) {
+        if self.turns.is_some_and(|k| k != 0) {
+            return;
+        }
+        let sizes = tiny::enlarged(&self.problem);
+        let Some((first, smaller)) = sizes.split_first() else { return };
+        // Of ordinary size, so this goes no deeper.
+        let mut search = Search::new(*first, Some(0), Effort::NORMAL, &|_, _| true, self.cancelled);
+        search.newton.evaluations = self.newton.evaluations;
+        self.was_cancelled |= !search.run();
+        self.newton.evaluations = search.newton.evaluations;
+        let Some(mut found) = search.found.first().cloned() else { return };
+        let mut from = *first;
+        for problem in smaller {
+            let Some((candidate, duration)) = self.carry_to(&from, &found, problem) else { return };
+            found = Found { candidate, duration, ..found };
+            from = *problem;
+        }
+        self.add(found.candidate, found.turns, found.duration);
+    }
+
     /// Solves displaced problems and carries their solutions over.
     fn detour(&mut self) {
         for detour in &DETOURS {
@@ -366,7 +392,12 @@ impl<'a> Search<'a> {
         let mut base = *from;
         base.to[4] += f64::from(neighbour.turns) * TAU;
         let target = self.wound(neighbour.turns);
-        let family = Family { base, mu: 1.0, direction: Direction::between(&base, &target) };
+        self.carry_to(&base, neighbour, &target)
+    }
+
+    /// The same between any two problems of one winding.
+    fn carry_to(&mut self, from: &Problem, neighbour: &Found, target: &Problem) -> Option<(Candidate, f64)> {
+        let family = Family { base: *from, mu: 1.0, direction: Direction::between(from, target) };
         let mut candidate = neighbour.candidate.clone();
         let bounds = Bounds {
             budget: self.effort.path_budget,
@@ -375,8 +406,8 @@ impl<'a> Search<'a> {
             cancelled: self.cancelled,
         };
         follow(&mut self.newton, &family, &mut candidate, 0.0, &bounds).ok()?;
-        settle(&mut self.newton, &target, 1.0, &mut candidate, &Direction::MU, self.effort.path_budget)?;
-        self.newton.polish(&target, 1.0, &mut candidate)?;
+        settle(&mut self.newton, target, 1.0, &mut candidate, &Direction::MU, self.effort.path_budget)?;
+        self.newton.polish(target, 1.0, &mut candidate)?;
         let duration = candidate.duration(1.0);
         Some((candidate, duration))
     }

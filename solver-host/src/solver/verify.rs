@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::extremal::Extremal;
 use super::problem::Problem;
-use super::relax::relax;
+use super::relax::{lower_bound_near, relax};
 
 /// What the independent check found. Dimensionless numbers are those of eq. (3)-(7), H = 0 with the constant 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -127,7 +127,9 @@ pub fn verify(extremal: &Extremal) -> Certificate {
         || costate_size > ABNORMAL
         || run.c == [0.0; 4];
     let problem = Problem::new(extremal.from, extremal.to, limits, extremal.turns);
-    let relaxed_s = relax(&problem).map_or(0.0, |r| r.lower_bound / rate);
+    let relaxed_s = lower_bound_near(&problem, run.c, t_s * rate)
+        .or_else(|| relax(&problem).map(|r| r.lower_bound))
+        .map_or(0.0, |bound| bound / rate);
     Certificate {
         verified,
         degenerate,
