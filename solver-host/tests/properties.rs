@@ -129,11 +129,20 @@ fn tiny_corrections_take_as_long_as_their_scaling_says() {
         let tilt = duration(&from(State { theta: small, ..rest })) / small;
         let stop = duration(&from(State { vx: small, ..rest })).powi(2) / small;
         let change = 20.0 * small.sqrt();
-        assert!(last_tilt == 0.0 || (tilt / last_tilt - 1.0).abs() < change, "{small} rad: {tilt} {last_tilt}");
-        assert!(last_stop == 0.0 || (stop / last_stop - 1.0).abs() < change, "{small} m/s: {stop} {last_stop}");
+        assert!(
+            last_tilt == 0.0 || (tilt / last_tilt - 1.0).abs() < change,
+            "{small} rad: {tilt} {last_tilt}"
+        );
+        assert!(
+            last_stop == 0.0 || (stop / last_stop - 1.0).abs() < change,
+            "{small} m/s: {stop} {last_stop}"
+        );
         (last_tilt, last_stop) = (tilt, stop);
     }
-    assert!((last_tilt - 0.266_334).abs() < 1e-5 && (last_stop - 0.108_645).abs() < 1e-4, "{last_tilt} {last_stop}");
+    assert!(
+        (last_tilt - 0.266_334).abs() < 1e-5 && (last_stop - 0.108_645).abs() < 1e-4,
+        "{last_tilt} {last_stop}"
+    );
 }
 
 /// A vehicle whose least thrust lifts it cannot hover, but it has fastest maneuvers.
