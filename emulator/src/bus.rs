@@ -1,0 +1,83 @@
+//! The contract between the core and everything outside it.
+
+use crate::memory::Memory;
+
+/// A point in virtual time: cycles of the core clock (HCLK) since power-up. Where the core clock changes, the count
+/// goes on at the new rate; peripherals keep the relation to seconds.
+pub type Cycle = u64;
+
+/// "Never", as a point in time.
+pub const NEVER: Cycle = u64::MAX;
+
+/// Width of one access.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// 8 bits.
+    Byte,
+    /// 16 bits.
+    Half,
+    /// 32 bits.
+    Word,
+}
+
+/// Who drives the bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Master {
+    /// The core.
+    Core,
+    /// One of the DMA controllers, 1 or 2.
+    Dma(u8),
+}
+
+/// One access to an address that is not plain memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Access {
+    /// When.
+    pub at: Cycle,
+    /// Where.
+    pub address: u32,
+    /// How wide.
+    pub width: Width,
+    /// The instruction that does it, for messages; 0 for DMA.
+    pub pc: u32,
+}
+
+/// Why an access has no answer. The core takes a BusFault (precise); what a DMA controller does stands with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum AccessError {
+    /// Nothing lies there.
+    #[error("nothing lies at {0:#010x}")]
+    Nothing(u32),
+    /// Something lies there on the chip that this emulator does not have.
+    #[error("the peripheral at {0:#010x} is not emulated")]
+    NotEmulated(u32),
+}
+
+/// Everything at 0x4000_0000 to 0x5FFF_FFFF, and writes to flash memory (programming).
+///
+/// The core calls [`advance`](Self::advance) whenever its clock reaches [`next_event`](Self::next_event), so a
+/// peripheral costs nothing while nothing happens in it.
+pub trait Peripherals {
+    /// Reads. `memory` is there for side effects (DMA, flash).
+    ///
+    /// # Errors
+    /// [`AccessError`].
+    fn read(&mut self, memory: &mut Memory, access: Access) -> Result<u32, AccessError>;
+    /// Writes the low bits of `value`.
+    ///
+    /// # Errors
+    /// [`AccessError`].
+    fn write(&mut self, memory: &mut Memory, access: Access, value: u32) -> Result<(), AccessError>;
+    /// When something happens next without an access; [`NEVER`] where nothing will. Cheap: called after every access.
+    fn next_event(&self) -> Cycle;
+    /// Lets everything up to and including `now` happen.
+    fn advance(&mut self, memory: &mut Memory, now: Cycle);
+    /// Levels of the interrupt lines; bit n is IRQ n (RM0090 table 62). Cheap: called after every access and advance.
+    fn interrupt_lines(&self) -> u128;
+    /// Whether the chip resets now, once; after it the machine calls [`reset`](Self::reset).
+    fn take_reset(&mut self) -> bool;
+    /// A system reset: registers to their reset values (those that survive one stay), memory is left alone.
+    fn reset(&mut self, memory: &mut Memory, now: Cycle);
+    /// The core asked for a reset (AIRCR.SYSRESETREQ).
+    fn request_reset(&mut self);
+}
