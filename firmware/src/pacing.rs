@@ -71,9 +71,10 @@ impl Pacer {
     }
 
     fn tick(&mut self, now_us: u64) -> u64 {
-        let interval_us = now_us.saturating_sub(self.last_tick_us);
-        let missed = ((interval_us.saturating_add(PERIOD_US / 4)) / PERIOD_US).saturating_sub(1);
-        self.missed = self.missed.saturating_add(u32::try_from(missed).unwrap_or(u32::MAX));
+        // In 32 bits, for the vehicle divides 64 by a long routine.
+        let interval_us = u32::try_from(now_us.saturating_sub(self.last_tick_us)).unwrap_or(u32::MAX);
+        let periods = interval_us.saturating_add(TICK_PERIOD_US / 4) / TICK_PERIOD_US;
+        self.missed = self.missed.saturating_add(periods.saturating_sub(1));
         self.last_tick_us = now_us;
         now_us
     }
