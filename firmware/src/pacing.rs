@@ -1,7 +1,8 @@
 //! When a tick runs: at each data-ready edge of the gyro, and by a timer where the edge stays away.
 //!
-//! No clock and no hardware: a board tells of edges and of its timer's firing and asks until when to wait. Every tick is
-//! later than the one before or at the same time, whatever order the two events are served in.
+//! No clock and no hardware: a board tells of edges and of its timer's firing and asks how long to wait. Every tick is
+//! later than the one before or at the same time, whatever order the two events are served in. Only a clock that runs
+//! backwards by more than a period is passed on as it is: the flight logic must see that.
 
 use mintime_shared::replay::TICK_PERIOD_US;
 
@@ -36,6 +37,7 @@ impl Pacer {
 
     /// An edge came at this time. The time of the tick it starts, or `None` where it came too soon to be one.
     pub fn edge(&mut self, at_us: u64) -> Option<u64> {
+        self.look_at_clock(at_us);
         if self.last_edge_us.is_some_and(|last| at_us < last.saturating_add(EDGE_MIN_US)) {
             self.spurious = self.spurious.saturating_add(1);
             return None;
@@ -48,6 +50,7 @@ impl Pacer {
 
     /// The timer fired. The time of the tick without a sample, or `None` where an edge came in between.
     pub fn timer(&mut self, now_us: u64) -> Option<u64> {
+        self.look_at_clock(now_us);
         // By division, not by counting: after a halt the gap may be of any length.
         let behind = now_us.checked_sub(self.deadline_us)? / PERIOD_US;
         self.deadline_us =
@@ -55,9 +58,10 @@ impl Pacer {
         Some(self.tick(now_us.max(self.last_tick_us)))
     }
 
-    /// When the timer shall fire unless an edge comes first, µs.
-    pub const fn deadline_us(&self) -> u64 {
-        self.deadline_us
+    /// The timer shall fire this long from now unless an edge comes first, µs: never later than after one and a half
+    /// periods, whatever the clock says.
+    pub fn delay_us(&self, now_us: u64) -> u64 {
+        self.deadline_us.saturating_sub(now_us).min(EDGE_TIMEOUT_US)
     }
 
     /// Periods without a tick so far. A tick up to three quarters of a period late is late, not missed.
@@ -68,6 +72,14 @@ impl Pacer {
     /// Edges that came too soon.
     pub const fn spurious(&self) -> u32 {
         self.spurious
+    }
+
+    /// Begins anew where the clock has run backwards.
+    fn look_at_clock(&mut self, now_us: u64) {
+        if now_us.saturating_add(PERIOD_US) < self.last_tick_us {
+            let (missed, spurious) = (self.missed, self.spurious);
+            *self = Self { deadline_us: now_us, missed, spurious, ..Self::new(now_us) };
+        }
     }
 
     fn tick(&mut self, now_us: u64) -> u64 {
@@ -88,8 +100,8 @@ mod tests {
     /// Runs a timer beside the pacer until the given time and returns its ticks.
     fn run_timer(pacer: &mut Pacer, until_us: u64) -> Vec<u64> {
         let mut ticks = Vec::new();
-        while pacer.deadline_us() <= until_us {
-            ticks.extend(pacer.timer(pacer.deadline_us()));
+        while pacer.deadline_us <= until_us {
+            ticks.extend(pacer.timer(pacer.deadline_us));
         }
         ticks
     }
@@ -110,7 +122,7 @@ mod tests {
         assert_eq!(pacer.edge(1_000), Some(1_000));
         assert_eq!(run_timer(&mut pacer, 6_000), [2_875, 4_125, 5_375]);
         assert_eq!(pacer.edge(6_100), Some(6_100));
-        assert_eq!(pacer.deadline_us(), 7_975);
+        assert_eq!(pacer.deadline_us, 7_975);
         assert_eq!(pacer.missed(), 0);
     }
 
@@ -137,9 +149,21 @@ mod tests {
         let mut pacer = Pacer::new(0);
         pacer.edge(1_000);
         assert_eq!(pacer.edge(1_624), None);
-        assert_eq!(pacer.deadline_us(), 2_875);
+        assert_eq!(pacer.deadline_us, 2_875);
         assert_eq!(pacer.edge(1_625), Some(1_625));
         assert_eq!(pacer.spurious(), 1);
+    }
+
+    #[test]
+    fn a_clock_that_runs_backwards_is_passed_on_and_does_not_stop_the_ticks() {
+        let mut pacer = Pacer::new(0);
+        pacer.edge(100_000);
+        assert_eq!(pacer.edge(50_000), Some(50_000));
+        assert_eq!(pacer.edge(51_250), Some(51_250));
+        pacer.edge(100_000);
+        assert_eq!(pacer.delay_us(30_000), EDGE_TIMEOUT_US);
+        assert_eq!(pacer.timer(30_000 + EDGE_TIMEOUT_US), Some(30_000 + EDGE_TIMEOUT_US));
+        assert!(pacer.delay_us(30_000 + EDGE_TIMEOUT_US) <= PERIOD_US);
     }
 
     #[test]
@@ -151,7 +175,7 @@ mod tests {
         // A halt of a second.
         assert_eq!(pacer.timer(1_003_750), Some(1_003_750));
         assert_eq!(pacer.missed(), 800);
-        assert!(pacer.deadline_us() > 1_003_750 && pacer.deadline_us() <= 1_005_000);
+        assert!(pacer.deadline_us > 1_003_750 && pacer.deadline_us <= 1_005_000);
     }
 
     proptest! {
@@ -167,8 +191,8 @@ mod tests {
                 if let Some(tick) = tick {
                     prop_assert!(tick >= last && tick <= now);
                     last = tick;
-                    prop_assert!(pacer.deadline_us() > now);
-                    prop_assert!(pacer.deadline_us() <= now + EDGE_TIMEOUT_US);
+                    prop_assert!(pacer.deadline_us > now);
+                    prop_assert!(pacer.deadline_us <= now + EDGE_TIMEOUT_US);
                 }
             }
         }
@@ -179,7 +203,7 @@ mod tests {
             let mut pacer = Pacer::new(0);
             for (index, jitter) in (1_u64..).zip(jitter) {
                 let at = index * period + jitter;
-                prop_assert!(index == 1 || pacer.deadline_us() > at);
+                prop_assert!(index == 1 || pacer.deadline_us > at);
                 prop_assert_eq!(pacer.edge(at), Some(at));
             }
             prop_assert_eq!(pacer.missed() + pacer.spurious(), 0);

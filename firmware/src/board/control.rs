@@ -253,7 +253,7 @@ impl Control {
     /// ones may still show the one before.
     fn arm_timer(&mut self) {
         let now_us = Instant::now().as_micros();
-        self.late_timer.arm(self.pacer.deadline_us().saturating_sub(now_us).saturating_add(1));
+        self.late_timer.arm(self.pacer.delay_us(now_us).saturating_add(1));
     }
 }
 
