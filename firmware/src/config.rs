@@ -2,7 +2,7 @@
 
 use mintime_shared::crc32;
 use mintime_shared::frames::MOTORS;
-use mintime_shared::messages::TELEMETRY_PERIOD_US;
+use mintime_shared::messages::{BoardTelemetry, TELEMETRY_PERIOD_US};
 use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::table::PlanLimits;
 
@@ -104,6 +104,17 @@ pub struct Capabilities {
     pub gyro: bool,
     /// Motor outputs exist.
     pub motors: bool,
+}
+
+/// What a board says of itself, [`crate::vehicle::Vehicle::set_board_status`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoardStatus {
+    /// What it can do by now.
+    pub capabilities: Capabilities,
+    /// A driver has not finished its set-up: what is missing among the capabilities may still come, so arming waits.
+    pub starting: bool,
+    /// How it does, for telemetry.
+    pub telemetry: BoardTelemetry,
 }
 
 /// Rotors on this vehicle.

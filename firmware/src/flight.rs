@@ -10,14 +10,14 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 
 use crate::config::{
-    ARMED_IDLE_US, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_PERIODS, LIFT_THRUST_MPS2,
-    LINK_DEAD_US, LINK_LOST_THRUST, MOTOR_COUNT, OUTBOX, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS,
-    SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
+    ARMED_IDLE_US, BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_PERIODS,
+    LIFT_THRUST_MPS2, LINK_DEAD_US, LINK_LOST_THRUST, MOTOR_COUNT, OUTBOX, RUNAWAY_ERROR_RADPS,
+    RUNAWAY_TICKS, SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
 };
 use crate::gyro::{Gyro, ImuSample};
 use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
@@ -96,6 +96,9 @@ pub struct FlightLogic<M> {
     /// The last voltage known, for thrust compensation.
     drive_v: Option<f32>,
     kill: bool,
+    /// Drivers of the board are still at work on their set-up.
+    starting: bool,
+    board: Option<BoardTelemetry>,
 }
 
 impl<M: RecordMemory> FlightLogic<M> {
@@ -127,6 +130,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             battery_v: None,
             drive_v: None,
             kill: false,
+            starting: false,
+            board: None,
         }
     }
 
@@ -138,6 +143,13 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// Says how many received frames were not messages, for telemetry.
     pub fn set_link_errors(&mut self, count: u32) {
         self.link_errors = count;
+    }
+
+    /// Says what the board can do by now and how it does.
+    pub fn set_board_status(&mut self, status: &BoardStatus) {
+        self.capabilities = status.capabilities;
+        self.starting = status.starting;
+        self.board = Some(status.telemetry);
     }
 
     /// One tick.
@@ -239,8 +251,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         use ArmingBlock as B;
         let low = self.battery_v.is_some_and(|v| v < self.config.battery_low_v);
         B::none()
-            .when(B::NO_GYRO, !self.capabilities.gyro)
-            .when(B::NO_MOTORS, !self.capabilities.motors)
+            .when(B::STARTING, self.starting)
+            .when(B::NO_GYRO, !self.capabilities.gyro && !self.starting)
+            .when(B::NO_MOTORS, !self.capabilities.motors && !self.starting)
             .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
             .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
             .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
@@ -372,6 +385,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             worst_interval_us: self.worst_interval_us,
             link_errors: self.link_errors,
             recorded: self.recorder.len(),
+            board: self.board,
         }
     }
 }

@@ -18,11 +18,14 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)
 )]
 
+pub mod bmi270;
 pub mod config;
+pub mod dshot;
 pub mod flight;
 pub mod gyro;
 pub mod link;
 pub mod mixer;
+pub mod pacing;
 pub mod player;
 pub mod rate_control;
 pub mod recorder;

@@ -2,7 +2,7 @@
 
 use mintime_shared::messages::FlightState;
 
-use crate::config::{Capabilities, VehicleConfig};
+use crate::config::{BoardStatus, Capabilities, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use crate::link::Link;
 use crate::recorder::RecordMemory;
@@ -41,6 +41,12 @@ impl<M: RecordMemory> Vehicle<M> {
     /// Fills `out` with bytes for the serial line and returns how many.
     pub fn transmit(&mut self, out: &mut [u8]) -> usize {
         self.link.transmit(&mut self.outbox, out)
+    }
+
+    /// Says what the board can do by now and how it does; takes effect with the next tick. Where nobody says, what
+    /// [`Vehicle::new`] was given stays true.
+    pub fn set_board_status(&mut self, status: &BoardStatus) {
+        self.logic.set_board_status(status);
     }
 
     /// What the supervisor is doing.

@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 use crate::table::{MAX_TABLE_BYTES, TableError};
 
 /// Raised with every change of a message.
-pub const PROTOCOL_VERSION: u8 = 1;
+pub const PROTOCOL_VERSION: u8 = 2;
 /// Most bytes of a record chunk: [`RECORDS_PER_CHUNK`] ticks.
 pub const MAX_CHUNK_BYTES: usize = RECORDS_PER_CHUNK * RECORD_BYTES;
 /// Ticks in one record chunk.
@@ -317,9 +317,11 @@ impl ArmingBlock {
     pub const GYRO_FROZEN: Self = Self(1 << 10);
     /// Stopped by an emergency, not cleared.
     pub const STOPPED: Self = Self(1 << 9);
+    /// The board is still setting up its gyro or arming its speed controllers.
+    pub const STARTING: Self = Self(1 << 11);
 
     /// Each bit with the sentence that says what to do.
-    pub const REASONS: [(Self, &'static str); 11] = [
+    pub const REASONS: [(Self, &'static str); 12] = [
         (Self::NO_GYRO, "no gyro on this board"),
         (Self::NO_MOTORS, "no motor outputs on this board"),
         (Self::GYRO_SILENT, "the gyro delivers no samples"),
@@ -331,6 +333,7 @@ impl ArmingBlock {
         (Self::LATE_TICKS, "control ticks are late"),
         (Self::GYRO_FROZEN, "the gyro repeats one sample: check its wiring"),
         (Self::STOPPED, "stopped after an emergency: disarm to clear it"),
+        (Self::STARTING, "gyro and speed controllers are still starting: wait some seconds"),
     ];
 
     /// No reason.
@@ -401,6 +404,55 @@ pub struct Telemetry {
     pub link_errors: u32,
     /// Ticks in the recorder.
     pub recorded: u32,
+    /// What the board measures of itself; `None` where the flight logic runs on no board.
+    pub board: Option<BoardTelemetry>,
+}
+
+/// How a flight controller board does. Times are of the processor's cycle counter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BoardTelemetry {
+    /// Why the gyro could not be set up, if so.
+    pub gyro_fault: Option<GyroFault>,
+    /// From the gyro's data-ready edge to the end of the last bit that the motors get for it, latest tick, ns.
+    pub latency_ns: u32,
+    /// The shortest such time since arming (since power-up before the first arming), ns; 0 before the first.
+    pub latency_min_ns: u32,
+    /// The longest; less the shortest it is the jitter, peak to peak, ns.
+    pub latency_max_ns: u32,
+    /// Longest run of a control tick since power-up, link work included, ns.
+    pub tick_max_ns: u32,
+    /// Periods without a control tick since power-up, counted from time.
+    pub missed_ticks: u32,
+    /// Part of the last second that the processor was awake, ‰.
+    pub load_permille: u16,
+    /// Deepest use of the stack since power-up, bytes.
+    pub stack_used_bytes: u16,
+    /// Motor frames that were not sent in time or not in full, since power-up.
+    pub motor_errors: u32,
+    /// Data-ready edges whose sample could not be read or was no measurement, since power-up.
+    pub gyro_errors: u32,
+    /// Data-ready edges that came too soon after the one before, since power-up.
+    pub spurious_edges: u32,
+}
+
+/// Why a board's gyro could not be set up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
+pub enum GyroFault {
+    /// The bus moved no byte within its time.
+    #[error("the gyro's bus does not work")]
+    Bus,
+    /// This is not the identity of the chip that the board has; 0 or 255: nobody answers.
+    #[error("another chip than expected answers, or none: identity {0:#04x}")]
+    Identity(u8),
+    /// The chip did not take its configuration file; what it says of itself.
+    #[error("the gyro refused its configuration file: status {0:#04x}")]
+    Configuration(u8),
+    /// A register does not hold what was written to it; its address.
+    #[error("the gyro's register {0:#04x} does not hold what was written")]
+    Register(u8),
+    /// The chip reports an error of its own.
+    #[error("the gyro reports an error: {0:#04x}")]
+    Chip(u8),
 }
 
 /// A run of recorded ticks.

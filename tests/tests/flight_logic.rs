@@ -1,13 +1,13 @@
 //! The flight logic tick by tick: what it refuses, what it does about each fault, and that it does the same every time.
 
-use mintime_firmware::config::{Capabilities, VehicleConfig};
+use mintime_firmware::config::{BoardStatus, Capabilities, VehicleConfig};
 use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, Downlink, FlightState, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordedTick,
-    Refusal, Reply, Request, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, Downlink, FlightState, Message, PROTOCOL_VERSION, RECORD_BYTES,
+    RecordedTick, Refusal, Reply, Request, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
@@ -291,6 +291,25 @@ fn arming_is_refused_for_each_reason() {
     let mut bench = Bench::with(Capabilities { gyro: true, motors: false });
     bench.run(900);
     assert_eq!(blocked(&mut bench), B::NO_MOTORS);
+
+    // While its drivers start a board is not called without gyro and motors yet, but it does not arm either.
+    let mut status = BoardStatus {
+        capabilities: Capabilities { gyro: false, motors: false },
+        starting: true,
+        telemetry: BoardTelemetry { missed_ticks: 3, ..BoardTelemetry::default() },
+    };
+    let mut bench = Bench::new();
+    assert_eq!(bench.telemetry().board, None);
+    bench.logic.set_board_status(&status);
+    bench.run(900);
+    assert_eq!(blocked(&mut bench), B::STARTING);
+    assert_eq!(bench.telemetry().board, Some(status.telemetry));
+    status.starting = false;
+    bench.logic.set_board_status(&status);
+    assert_eq!(blocked(&mut bench), B::none().when(B::NO_GYRO, true).when(B::NO_MOTORS, true));
+    status.capabilities = Capabilities { gyro: true, motors: true };
+    bench.logic.set_board_status(&status);
+    bench.arm();
 
     let mut bench = Bench::new();
     bench.run(100);
@@ -1087,7 +1106,7 @@ fn stops_win_over_what_comes_with_them() {
 
 #[test]
 fn another_protocol_version_is_refused_and_nothing_done() {
-    for version in [0, 2, 255] {
+    for version in [0, PROTOCOL_VERSION - 1, PROTOCOL_VERSION + 1, 255] {
         let mut bench = Bench::flying();
         let mut inbox = Inbox::new();
         let mut outbox = Outbox::new();

@@ -3,8 +3,9 @@
 use mintime_shared::crc32;
 use mintime_shared::framing::{Decoder, FrameError, MAX_FRAME_BYTES, encode};
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, Downlink, FlightState, Identity, MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION,
-    RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, Downlink, FlightState, GyroFault, Identity, MAX_CHUNK_BYTES,
+    Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request, Setpoint,
+    Telemetry, Uplink,
 };
 use mintime_shared::model::LimitsError;
 use mintime_shared::table::{MAX_TABLE_BYTES, TableError};
@@ -143,11 +144,40 @@ fn refusals() -> Vec<Refusal> {
     ]
 }
 
+fn gyro_fault() -> impl Strategy<Value = GyroFault> {
+    any::<u8>().prop_flat_map(|byte| {
+        select(vec![
+            GyroFault::Bus,
+            GyroFault::Identity(byte),
+            GyroFault::Configuration(byte),
+            GyroFault::Register(byte),
+            GyroFault::Chip(byte),
+        ])
+    })
+}
+
+prop_compose! {
+    fn board()(
+        gyro_fault in prop::option::of(gyro_fault()), counts in prop::array::uniform8(any::<u32>()),
+        load_permille in any::<u16>(), stack_used_bytes in any::<u16>(),
+    ) -> BoardTelemetry {
+        let [
+            latency_ns, latency_min_ns, latency_max_ns, tick_max_ns, missed_ticks, motor_errors, gyro_errors,
+            spurious_edges,
+        ] = counts;
+        BoardTelemetry {
+            gyro_fault, latency_ns, latency_min_ns, latency_max_ns, tick_max_ns, missed_ticks, load_permille,
+            stack_used_bytes, motor_errors, gyro_errors, spurious_edges,
+        }
+    }
+}
+
 prop_compose! {
     fn telemetry()(
         time_us in any::<u64>(), state in select(&STATES[..]), arming_block in any::<u16>(),
         abort in prop::option::of(select(&ABORTS[..])), table in any::<u32>(), floats in prop::array::uniform5(float()),
         maneuver_complete in any::<bool>(), counts in prop::array::uniform8(any::<u32>()),
+        board in prop::option::of(board()),
     ) -> Telemetry {
         let [maneuver_s, battery_v, x, y, z] = floats;
         let [
@@ -158,6 +188,7 @@ prop_compose! {
             time_us, state, arming_block, abort, table, maneuver_s, maneuver_complete, maneuver_ticks,
             maneuver_missed_ticks, battery_v,
             rates_radps: [x, y, z], ticks, late_ticks, missing_samples, worst_interval_us, link_errors, recorded,
+            board,
         }
     }
 }
@@ -416,7 +447,24 @@ fn the_largest_messages_fit() {
         worst_interval_us: u32::MAX,
         link_errors: u32::MAX,
         recorded: u32::MAX,
+        board: Some(BoardTelemetry {
+            gyro_fault: Some(GyroFault::Chip(u8::MAX)),
+            latency_ns: u32::MAX,
+            latency_min_ns: u32::MAX,
+            latency_max_ns: u32::MAX,
+            tick_max_ns: u32::MAX,
+            missed_ticks: u32::MAX,
+            load_permille: u16::MAX,
+            stack_used_bytes: u16::MAX,
+            motor_errors: u32::MAX,
+            gyro_errors: u32::MAX,
+            spurious_edges: u32::MAX,
+        }),
     };
+    // What the protocol's description says.
+    let status = Message::Reply { number: u16::MAX, reply: Reply::Status(telemetry) };
+    assert_eq!(frame_of(&Downlink { version: PROTOCOL_VERSION, message: status }).len(), 144);
+
     let chunk = RecordChunk {
         first: u32::MAX,
         total: u32::MAX,
@@ -492,12 +540,12 @@ fn every_frame_error_is_reachable() {
 #[test]
 fn the_bytes_on_the_line_are_these() {
     let hex = |bytes: &[u8]| bytes.iter().map(|b| format!("{b:02x}")).collect::<String>();
-    assert_eq!(PROTOCOL_VERSION, 1);
+    assert_eq!(PROTOCOL_VERSION, 2);
     let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
-    assert_eq!(up(1, Request::Identify), "03010105648298e700");
-    assert_eq!(up(300, Request::Setpoint(setpoint)), "0501ac02080103803f010102c001010a3fc3f51c419a1dbddd00");
-    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e01ad0209f8acd19101badb459c00");
+    assert_eq!(up(1, Request::Identify), "030201053d3cdee500");
+    assert_eq!(up(300, Request::Setpoint(setpoint)), "0502ac02080103803f010102c001010a3fc3f51c415050147200");
+    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e02ad0209f8acd191017fe7c8a500");
     let telemetry = Telemetry {
         time_us: 1_000_000,
         state: FlightState::Flying,
@@ -516,14 +564,15 @@ fn the_bytes_on_the_line_are_these() {
         worst_interval_us: 1300,
         link_errors: 3,
         recorded: 1129,
+        board: None,
     };
     let down = |message| hex(&frame_of(&Downlink { version: PROTOCOL_VERSION, message }));
     assert_eq!(
         down(Message::Telemetry(telemetry)),
-        "0f0101c0843d02100101effdb6f50d0107c03f01e90804010374410103803e010102bf0110803fa0060102940a03e9088704ec1d00"
+        "0f0201c0843d02100101effdb6f50d0107c03f01e90804010374410103803e010102bf010c803fa0060102940a03e908056e2011e700"
     );
     let refused = Reply::Refused(Refusal::Table(TableError::Limits(LimitsError::CannotLift)));
-    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "020109ad0207040506b24f027800");
+    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02020bad020704050651488ff600");
 }
 
 /// Every refusal says something a person can act on, in one line.

@@ -1,102 +1,264 @@
-//! The control tick: 800 times a second the flight logic, in an interrupt of its own.
+//! The control tick: 800 times a second from gyro to motors, in an interrupt of its own.
 //!
-//! Deadline: 1250 µs after the tick is due. Order within a tick: flight logic and motors first, so that their delay
-//! does not depend on the link; then at most [`BYTES_PER_TICK`] bytes each way, a little more than the line can carry.
-//! A tick that comes late is counted and the following ones keep their times: the flight logic takes time from the
-//! clock, never from counting ticks.
+//! Deadline: 1250 µs after the edge that starts it; the motors have their frame within 100 µs. Order within a tick: last
+//! frame looked after, gyro read, flight logic, motors; then at most [`BYTES_PER_TICK`] link bytes each way, a little
+//! more than the line can carry, so that the link delays no motor. A tick that comes late is counted and the following
+//! ones keep their times: the flight logic takes time from the clock, never from counting ticks.
 
+use core::cell::Cell;
 use core::sync::atomic::{AtomicU32, Ordering};
 
-use embassy_executor::InterruptExecutor;
+use cortex_m::peripheral::DWT;
 use embassy_stm32::interrupt;
 use embassy_stm32::interrupt::InterruptExt;
-use embassy_time::{Duration, Instant, Timer};
+use embassy_sync::blocking_mutex::Mutex;
+use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
+use embassy_time::Instant;
+use mintime_firmware::config::{BoardStatus, Capabilities, VehicleConfig};
+use mintime_firmware::dshot::Frame;
 use mintime_firmware::flight::TickInput;
+use mintime_firmware::gyro::ImuSample;
+use mintime_firmware::pacing::Pacer;
+use mintime_shared::messages::BoardTelemetry;
+use static_cell::StaticCell;
 
-use mintime_shared::replay::TICK_PERIOD_US;
-
-use super::facts::CONTROL_PRIORITY;
+use super::dshot::Motors;
+use super::facts::{CONTROL_INTERRUPT, CORE_MHZ, MOTOR_ARMING_FRAMES};
+use super::imu::{self, Imu, Outcome};
 use super::link::{INBOX, OUTBOX};
+use super::tick_source::{self, LateTimer};
+use super::vehicle::{self, BoardVehicle};
 use super::watchdog::{self, Party};
-use super::{battery, fault, vehicle};
+use super::{battery, supervision};
 
-/// Period of the control tick: 800 Hz, the gyro's native rate.
-const PERIOD: Duration = Duration::from_micros(TICK_PERIOD_US as u64);
 /// Link bytes moved per tick and direction. The line carries 115.2 in a tick.
 const BYTES_PER_TICK: usize = 128;
 
 /// Ticks run.
 pub(super) static TICKS: AtomicU32 = AtomicU32::new(0);
-/// Ticks skipped because the one before was still running or the tick came a whole period late.
-pub(super) static MISSED_TICKS: AtomicU32 = AtomicU32::new(0);
-/// Longest time from a tick's due time to its start [µs].
-pub(super) static WORST_LATENESS_US: AtomicU32 = AtomicU32::new(0);
-/// Longest run of a tick, link work included [µs].
-pub(super) static WORST_RUN_US: AtomicU32 = AtomicU32::new(0);
+/// What the latest tick measured.
+static TELEMETRY: Mutex<CriticalSectionRawMutex, Cell<Option<BoardTelemetry>>> = Mutex::new(Cell::new(None));
 
-static EXECUTOR: InterruptExecutor = InterruptExecutor::new();
+static CONTROL: StaticCell<Control> = StaticCell::new();
+/// Where the two handlers, which never interrupt each other, find it.
+static HANDLE: Mutex<CriticalSectionRawMutex, Cell<Option<&'static mut Control>>> =
+    Mutex::new(Cell::new(None));
 
-/// The interrupt that the executor pends by software. Its peripheral (I2C3) is not in use.
-#[allow(unsafe_code)]
-#[interrupt]
-unsafe fn I2C3_ER() {
-    // SAFETY: called from the interrupt that `start` was given, which unmasks it only after the executor exists.
-    unsafe { EXECUTOR.on_interrupt() }
+/// What the latest tick measured.
+pub(super) fn telemetry() -> BoardTelemetry {
+    TELEMETRY.lock(Cell::get).unwrap_or_default()
+}
+
+/// Everything between gyro and motors. Only the handlers below touch it.
+struct Control {
+    vehicle: &'static mut BoardVehicle,
+    /// `None` until it is set up, for ever if it cannot be.
+    imu: Option<Imu>,
+    gyro_pending: bool,
+    motors: Motors,
+    /// Whether the last frame was sent in full.
+    motors_well: bool,
+    /// Zero-throttle frames sent since the battery is there, up to [`MOTOR_ARMING_FRAMES`].
+    arming_frames: u32,
+    pacer: Pacer,
+    late_timer: LateTimer,
+    /// The cycle counter at the edge that the frame under way answers.
+    answered_edge: Option<u32>,
+    motors_on: bool,
+    measured: BoardTelemetry,
+    bytes: [u8; BYTES_PER_TICK],
 }
 
 /// Starts the control tick.
-pub(super) fn start() {
-    interrupt::I2C3_ER.set_priority(CONTROL_PRIORITY);
-    let spawner = EXECUTOR.start(interrupt::I2C3_ER);
-    match run() {
-        Ok(task) => spawner.spawn(task),
-        Err(_) => fault::set_up_failed(line!()),
+#[allow(unsafe_code)]
+pub(super) fn start(motors: Motors, late_timer: LateTimer) {
+    let now_us = Instant::now().as_micros();
+    let control = CONTROL.init_with(|| Control {
+        vehicle: vehicle::take(),
+        imu: None,
+        gyro_pending: true,
+        motors,
+        motors_well: false,
+        arming_frames: 0,
+        pacer: Pacer::new(now_us),
+        late_timer,
+        answered_edge: None,
+        motors_on: false,
+        measured: BoardTelemetry::default(),
+        bytes: [0; BYTES_PER_TICK],
+    });
+    control.arm_timer();
+    HANDLE.lock(|handle| handle.set(Some(control)));
+    // SAFETY: the handlers have what they need; nothing relies on these interrupts being masked.
+    unsafe {
+        CONTROL_INTERRUPT.enable();
+        interrupt::TIM7.enable();
     }
 }
 
-#[embassy_executor::task]
-async fn run() {
-    let vehicle = vehicle::take();
-    let mut bytes = [0; BYTES_PER_TICK];
-    let mut due = Instant::now() + PERIOD;
-    loop {
-        Timer::at(due).await;
-        let now = Instant::now();
+/// The gyro's edge, pended by its handler.
+#[allow(unsafe_code)]
+#[interrupt]
+unsafe fn I2C3_ER() {
+    with_control(Control::edge);
+}
 
-        // No gyro or motor driver yet: the flight logic sees no sample and refuses to arm; its command goes nowhere.
-        let input =
-            TickInput { now_us: now.as_micros(), imu: None, battery_v: battery::voltage(), kill: false };
-        let _motors = vehicle.tick(&input);
+/// The edge stays away.
+#[allow(unsafe_code)]
+#[interrupt]
+unsafe fn TIM7() {
+    with_control(Control::timer);
+}
 
-        let room = OUTBOX.free_capacity().min(bytes.len());
-        let sent = vehicle.transmit(bytes.get_mut(..room).unwrap_or_default());
+fn with_control(run: impl FnOnce(&mut Control)) {
+    if let Some(control) = HANDLE.lock(Cell::take) {
+        run(control);
+        HANDLE.lock(|handle| handle.set(Some(control)));
+    }
+}
+
+impl Control {
+    fn edge(&mut self) {
+        let begin = DWT::cycle_count();
+        let edge = tick_source::edge_cycles();
+        let age_us = u64::from(begin.wrapping_sub(edge) / CORE_MHZ);
+        let at_us = Instant::now().as_micros().saturating_sub(age_us);
+        if let Some(now_us) = self.pacer.edge(at_us) {
+            self.finish_frame();
+            let sample = self.imu.as_mut().and_then(Imu::sample);
+            let failed = u32::from(sample.is_none());
+            self.measured.gyro_errors = self.measured.gyro_errors.saturating_add(failed);
+            self.tick(now_us, sample, Some(edge));
+            self.keep_run_time(begin);
+        }
+        self.arm_timer();
+    }
+
+    fn timer(&mut self) {
+        let begin = DWT::cycle_count();
+        self.late_timer.clear();
+        if let Some(now_us) = self.pacer.timer(Instant::now().as_micros()) {
+            self.finish_frame();
+            self.tick(now_us, None, None);
+            self.keep_run_time(begin);
+        }
+        self.arm_timer();
+    }
+
+    fn tick(&mut self, now_us: u64, imu: Option<ImuSample>, edge: Option<u32>) {
+        let battery_v = battery::voltage();
+        // This board has no kill switch.
+        let output = self.vehicle.tick(&TickInput { now_us, imu, battery_v, kill: false });
+        let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
+        self.motors.send(&frames);
+        self.answered_edge = edge;
+
+        // The motors have theirs; now everything that may take its time.
+        self.count_arming_frames(output.throttle.is_some(), battery_v);
+        self.take_gyro();
+        self.publish();
+        self.move_bytes();
+        watchdog::check_in(Party::Control);
+        // One writer: no read-modify-write needed.
+        TICKS.store(TICKS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+    }
+
+    /// Looks after the last tick's motor frame and measures how long after its edge it ended.
+    fn finish_frame(&mut self) {
+        let end = self.motors.finish();
+        self.motors_well = end.is_some();
+        let Some(end) = end else {
+            return;
+        };
+        let Some(edge) = self.answered_edge.take() else {
+            return;
+        };
+        let latency_ns = nanoseconds(end.wrapping_sub(edge));
+        let measured = &mut self.measured;
+        let first = measured.latency_min_ns == 0;
+        measured.latency_ns = latency_ns;
+        measured.latency_min_ns = if first { latency_ns } else { measured.latency_min_ns.min(latency_ns) };
+        measured.latency_max_ns = measured.latency_max_ns.max(latency_ns);
+    }
+
+    /// Speed controllers arm on zero throttle, and only once they have power.
+    fn count_arming_frames(&mut self, motors_on: bool, battery_v: Option<f32>) {
+        if motors_on != self.motors_on {
+            self.motors_on = motors_on;
+            if motors_on {
+                self.measured.latency_min_ns = 0;
+                self.measured.latency_max_ns = 0;
+            }
+        }
+        if motors_on {
+            return;
+        }
+        let counts =
+            self.motors_well && battery_v.is_some_and(|v| VehicleConfig::REFERENCE.is_plausible_battery(v));
+        self.arming_frames =
+            if counts { self.arming_frames.saturating_add(1).min(MOTOR_ARMING_FRAMES) } else { 0 };
+    }
+
+    /// Takes the gyro over when its set-up has ended, well or not.
+    fn take_gyro(&mut self) {
+        if !self.gyro_pending {
+            return;
+        }
+        match imu::take_outcome() {
+            Some(Outcome::Ready(imu)) => self.imu = Some(imu),
+            Some(Outcome::Failed(fault)) => self.measured.gyro_fault = Some(fault),
+            None => return,
+        }
+        self.gyro_pending = false;
+    }
+
+    fn publish(&mut self) {
+        let measured = &mut self.measured;
+        measured.missed_ticks = self.pacer.missed();
+        measured.spurious_edges = self.pacer.spurious();
+        measured.motor_errors = self.motors.errors();
+        measured.load_permille = supervision::LOAD_PERMILLE.load(Ordering::Relaxed);
+        let stack = supervision::STACK_USED_BYTES.load(Ordering::Relaxed);
+        measured.stack_used_bytes = u16::try_from(stack).unwrap_or(u16::MAX);
+        let motors = self.arming_frames >= MOTOR_ARMING_FRAMES;
+        self.vehicle.set_board_status(&BoardStatus {
+            capabilities: Capabilities { gyro: self.imu.is_some(), motors },
+            // Outputs that do not work are not starting.
+            starting: self.gyro_pending || (!motors && self.motors_well),
+            telemetry: *measured,
+        });
+        TELEMETRY.lock(|telemetry| telemetry.set(Some(*measured)));
+    }
+
+    fn move_bytes(&mut self) {
+        let room = OUTBOX.free_capacity().min(self.bytes.len());
+        let sent = self.vehicle.transmit(self.bytes.get_mut(..room).unwrap_or_default());
         // One writer, and the room was just measured: nothing is cut short. The second write is for the wrap.
-        let mut rest = bytes.get(..sent.min(room)).unwrap_or_default();
-        while let Ok(taken) = OUTBOX.try_write(rest)
-            && taken < rest.len()
-        {
+        let mut rest = self.bytes.get(..sent.min(room)).unwrap_or_default();
+        for _ in 0..2 {
+            let taken = OUTBOX.try_write(rest).unwrap_or(0);
             rest = rest.get(taken..).unwrap_or_default();
         }
 
-        let received = INBOX.try_read(&mut bytes).unwrap_or(0);
-        vehicle.receive(bytes.get(..received).unwrap_or_default());
+        let received = INBOX.try_read(&mut self.bytes).unwrap_or(0);
+        self.vehicle.receive(self.bytes.get(..received).unwrap_or_default());
+    }
 
-        watchdog::check_in(Party::Control);
-        TICKS.fetch_add(1, Ordering::Relaxed);
-        let end = Instant::now();
-        keep_worst(&WORST_LATENESS_US, now.saturating_duration_since(due));
-        keep_worst(&WORST_RUN_US, end.saturating_duration_since(now));
+    fn keep_run_time(&mut self, begin: u32) {
+        let run_ns = nanoseconds(DWT::cycle_count().wrapping_sub(begin));
+        self.measured.tick_max_ns = self.measured.tick_max_ns.max(run_ns);
+    }
 
-        due += PERIOD;
-        if due <= end {
-            // By division, not by counting: after a halt the gap may be of any length.
-            let missed = (end - due).as_ticks() / PERIOD.as_ticks() + 1;
-            due += Duration::from_ticks(missed.saturating_mul(PERIOD.as_ticks()));
-            MISSED_TICKS.fetch_add(u32::try_from(missed).unwrap_or(u32::MAX), Ordering::Relaxed);
-        }
+    /// Sets the timer for the tick that runs if no edge comes first. A microsecond more, for a clock that counts whole
+    /// ones may still show the one before.
+    fn arm_timer(&mut self) {
+        let now_us = Instant::now().as_micros();
+        self.late_timer.arm(self.pacer.delay_us(now_us).saturating_add(1));
     }
 }
 
-fn keep_worst(worst: &AtomicU32, time: Duration) {
-    worst.fetch_max(u32::try_from(time.as_micros()).unwrap_or(u32::MAX), Ordering::Relaxed);
+/// Cycles as time. Saturates at 4 s. In 32 bits: the processor divides those by itself.
+const fn nanoseconds(cycles: u32) -> u32 {
+    let us = cycles / CORE_MHZ;
+    us.saturating_mul(1000).saturating_add(cycles % CORE_MHZ * 1000 / CORE_MHZ)
 }

@@ -1,6 +1,9 @@
-//! What the clock set-up leaves out: flash caches, the clock monitor, and a watchdog that pauses under a debugger.
+//! What the clock set-up leaves out: flash caches, the clock monitor, a watchdog that pauses under a debugger, the cycle
+//! counter, and waking up from pending interrupts.
 
 use embassy_stm32::pac;
+
+use super::fault;
 
 /// First chip revision whose flash prefetch works: revision Z. Revision A (0x1000) must leave it off (erratum in
 /// ES0182).
@@ -22,6 +25,24 @@ pub(super) fn enable_flash_caches() {
 /// Raises a non-maskable interrupt when the crystal stops (RM0090 section 7.2.7); the handler is in `fault`.
 pub(super) fn enable_clock_monitor() {
     pac::RCC.cr().modify(|w| w.set_csson(true));
+}
+
+/// Bit of the system control register: an interrupt that becomes pending is an event, even while interrupts are off.
+const SEVONPEND: u32 = 1 << 4;
+
+/// Starts the cycle counter and makes pending interrupts wake the processor; see `idle`. Once.
+pub(super) fn prepare_core() {
+    let Some(mut core) = cortex_m::Peripherals::take() else {
+        fault::set_up_failed(line!());
+    };
+    core.DCB.enable_trace();
+    core.DWT.set_cycle_count(0);
+    core.DWT.enable_cycle_counter();
+    #[allow(unsafe_code)]
+    // SAFETY: changes when a sleep ends, nothing else.
+    unsafe {
+        core.SCB.scr.modify(|scr| scr | SEVONPEND);
+    }
 }
 
 /// Stops the watchdog while a debug probe holds the core.

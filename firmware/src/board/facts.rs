@@ -6,38 +6,50 @@
 //!
 //! # Pins
 //!
-//! | function | pins | state |
-//! |---|---|---|
-//! | link | USART1: PA9 TX, PA10 RX | in use |
-//! | motors 1..4 | PB6, PB7, PB8, PB9 (TIM4 CH1..4) | held low; no driver yet |
-//! | gyro BMI270 | SPI1: PA5 SCK, PA6 MISO, PA7 MOSI, PA4 CS; PC4 data ready | reserved; no driver yet |
-//! | battery, current | PC0 (ADC1 channel 10), PC1 | battery in use |
-//! | LED, beeper | PC8, PC5 | LED in use |
-//! | debug probe | PA13 SWDIO, PA14 SWCLK | never touched |
-//! | kill switch | none on this board | the host's stop command is the kill |
+//! | function | pins |
+//! |---|---|
+//! | link | USART1: PA9 TX, PA10 RX |
+//! | motors 1..4 | PB6, PB7, PB8, PB9: TIM4 channels 1..4 |
+//! | gyro BMI270 | SPI1: PA5 SCK, PA6 MISO, PA7 MOSI, PA4 chip-select; PC4 data ready |
+//! | battery | PC0 (ADC1 channel 10); the current sensor on PC1 is not used |
+//! | LED | PC8; the beeper on PC5 is not used |
+//! | debug probe | PA13 SWDIO, PA14 SWCLK: never touched |
+//! | kill switch | none on this board: the host's stop command is the kill |
 //!
 //! # DMA streams
 //!
 //! | stream | owner |
 //! |---|---|
+//! | DMA1 stream 6, channel 2 | TIM4 update: motors |
 //! | DMA2 stream 2, channel 4 | USART1 RX |
 //! | DMA2 stream 7, channel 4 | USART1 TX |
-//! | DMA2 streams 0 and 3 | reserved: SPI1 (gyro) |
-//! | DMA2 stream 4 | reserved: ADC1 (stream 0 would collide with SPI1) |
-//! | DMA1 stream 6 | reserved: TIM4 update (motor burst) |
+//! | DMA2 stream 4 | reserved: ADC1 (its other one, stream 0, is SPI1's) |
+//! | DMA2 streams 0 and 3 | free: SPI1 is polled |
+//!
+//! # Timers
+//!
+//! | timer | owner |
+//! |---|---|
+//! | TIM4 | motors |
+//! | TIM5 | the clock and all waits (the HAL's time driver) |
+//! | TIM7 | the control tick where the gyro's edge stays away |
 //!
 //! # Interrupt priorities (0 is the most urgent)
 //!
 //! | priority | interrupt | why |
 //! |---|---|---|
-//! | 0, 1 | reserved: gyro data ready, motor burst | must time-stamp within a microsecond |
-//! | 2 | TIM5, the time driver | wakes the control tick |
-//! | 3 | control tick (a software-pended interrupt) | above everything that serves the link |
-//! | 6 | USART1, DMA2 | the link may wait for a tick |
-//! | thread | link tasks and supervision | never urgent |
+//! | 0 | EXTI4: gyro data ready | stamps the edge; no critical section masks it |
+//! | 0 | DMA1 stream 6: motor frame done | must stop the timer within a bit, 1.67 µs |
+//! | 1 | I2C3_ER, pended by software: control tick; TIM7: the same without a sample | above everything that serves the link |
+//! | 2 | TIM5 | wakes tasks; must not lag by 32 ms |
+//! | 6 | USART1, DMA2 streams 2 and 7 | the link may wait for a tick |
+//! | thread | link tasks, supervision, set-up of the gyro | never urgent |
+//!
+//! A critical section masks 1 and below (`board::critical`).
 
 use embassy_stm32::gpio::Level;
 use embassy_stm32::interrupt::{InterruptExt, Priority};
+use embassy_stm32::pac;
 use embassy_stm32::rcc::{
     AHBPrescaler, APBPrescaler, Hse, HseMode, Pll, PllMul, PllPDiv, PllPreDiv, PllQDiv, PllSource, Sysclk,
 };
@@ -48,6 +60,9 @@ use embassy_stm32::{Peri, Peripherals, bind_interrupts, dma, interrupt, peripher
 pub(super) struct Parts {
     pub(super) link: LinkParts,
     pub(super) battery: BatteryParts,
+    pub(super) gyro: GyroParts,
+    pub(super) motors: MotorParts,
+    pub(super) late_timer: Peri<'static, peripherals::TIM7>,
     pub(super) led: Peri<'static, peripherals::PC8>,
 }
 
@@ -66,12 +81,51 @@ pub(super) struct BatteryParts {
     pub(super) pin: Peri<'static, peripherals::PC0>,
 }
 
+/// The inertial sensor.
+pub(super) struct GyroParts {
+    pub(super) bus: GyroBusParts,
+    pub(super) data_ready: Peri<'static, peripherals::PC4>,
+}
+
+/// Its bus.
+pub(super) struct GyroBusParts {
+    pub(super) spi: Peri<'static, peripherals::SPI1>,
+    pub(super) clock: Peri<'static, peripherals::PA5>,
+    pub(super) miso: Peri<'static, peripherals::PA6>,
+    pub(super) mosi: Peri<'static, peripherals::PA7>,
+    pub(super) select: Peri<'static, peripherals::PA4>,
+}
+
+/// What the motor outputs own. They work on registers; holding these keeps everyone else off them.
+#[expect(dead_code, reason = "owned, never read")]
+pub(super) struct MotorParts {
+    pub(super) timer: Peri<'static, peripherals::TIM4>,
+    pub(super) dma: Peri<'static, peripherals::DMA1_CH6>,
+    pub(super) motor_1: Peri<'static, peripherals::PB6>,
+    pub(super) motor_2: Peri<'static, peripherals::PB7>,
+    pub(super) motor_3: Peri<'static, peripherals::PB8>,
+    pub(super) motor_4: Peri<'static, peripherals::PB9>,
+}
+
 impl Parts {
     /// Sorts the chip's peripherals into roles.
     pub(super) fn new(p: Peripherals) -> Self {
         Self {
             link: LinkParts { uart: p.USART1, tx: p.PA9, rx: p.PA10, tx_dma: p.DMA2_CH7, rx_dma: p.DMA2_CH2 },
             battery: BatteryParts { adc: p.ADC1, pin: p.PC0 },
+            gyro: GyroParts {
+                bus: GyroBusParts { spi: p.SPI1, clock: p.PA5, miso: p.PA6, mosi: p.PA7, select: p.PA4 },
+                data_ready: p.PC4,
+            },
+            motors: MotorParts {
+                timer: p.TIM4,
+                dma: p.DMA1_CH6,
+                motor_1: p.PB6,
+                motor_2: p.PB7,
+                motor_3: p.PB8,
+                motor_4: p.PB9,
+            },
+            late_timer: p.TIM7,
             led: p.PC8,
         }
     }
@@ -101,10 +155,45 @@ pub(super) const BATTERY_CHANNEL: u8 = 10;
 /// Battery volts per ADC count: 3.3 V full scale over 4095 counts, behind a divider of 11.
 pub(super) const BATTERY_VOLTS_PER_COUNT: f32 = 11.0 * 3.3 / 4095.0;
 
+/// Timer of the motors.
+pub(super) const MOTOR_TIMER: pac::timer::TimGp16 = pac::TIM4;
+/// Function of the motor pins that connects them to it.
+pub(super) const MOTOR_ALTERNATE_FUNCTION: u8 = 2;
+/// Stream of DMA1 that serves the timer's updates, ...
+pub(super) const MOTOR_DMA_STREAM: usize = 6;
+/// ... and its channel.
+pub(super) const MOTOR_DMA_CHANNEL: u8 = 2;
+/// Where a DMA burst to the timer begins: its first compare register, counted in words.
+pub(super) const MOTOR_FIRST_COMPARE: u8 = 0x34 / 4;
+/// Zero-throttle frames before the motors count as ready, once the battery is there: 3 s. Speed controllers sound their
+/// melody for a second or two and then want zero throttle for up to a second before they arm.
+pub(super) const MOTOR_ARMING_FRAMES: u32 = 2400;
+
+/// Function of the gyro bus's pins.
+pub(super) const SPI_ALTERNATE_FUNCTION: u8 = 5;
+/// The gyro's data-ready pin is number 4 ...
+pub(super) const EDGE_LINE: usize = 4;
+/// ... of port C, as the system configuration counts ports.
+pub(super) const EDGE_PORT: u8 = 2;
+/// From the axes of the gyro chip, as it is mounted, to body axes, forward-left-up: the same on this board.
+pub(super) const fn to_body_axes([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [x, y, z]
+}
+
+/// Processor clock, MHz: what the cycle counter counts.
+pub(super) const CORE_MHZ: u32 = 168;
+/// Clock of the timers on the slower bus, MHz: TIM4, TIM7.
+pub(super) const TIMER_MHZ: u16 = 84;
+
+/// The interrupt that runs the control tick, pended by software. Its peripheral is not in use.
+pub(super) const CONTROL_INTERRUPT: interrupt::Interrupt = interrupt::I2C3_ER;
+
+/// Priority of what must not wait for anything.
+const STAMP_PRIORITY: Priority = Priority::P0;
+/// Priority of the control tick, the most urgent that a critical section masks.
+const CONTROL_PRIORITY: Priority = Priority::P1;
 /// Priority of the time driver.
 const TIME_PRIORITY: Priority = Priority::P2;
-/// Priority of the control tick.
-pub(super) const CONTROL_PRIORITY: Priority = Priority::P3;
 /// Priority of the link's interrupts.
 const LINK_PRIORITY: Priority = Priority::P6;
 
@@ -126,12 +215,19 @@ pub(super) fn clocks() -> embassy_stm32::Config {
     config.rcc.ahb_pre = AHBPrescaler::DIV1;
     config.rcc.apb1_pre = APBPrescaler::DIV4;
     config.rcc.apb2_pre = APBPrescaler::DIV2;
+    // Of every stream; `set_priorities` then raises the motors'.
     config.dma_interrupt_priority = LINK_PRIORITY;
+    // Keeps the cycle counter running while the processor sleeps; it measures latencies and load.
+    config.enable_debug_during_sleep = true;
     config
 }
 
 /// Gives every interrupt in use its priority; whatever is left out would have the highest.
 pub(super) fn set_priorities() {
+    interrupt::EXTI4.set_priority(STAMP_PRIORITY);
+    interrupt::DMA1_STREAM6.set_priority(STAMP_PRIORITY);
+    CONTROL_INTERRUPT.set_priority(CONTROL_PRIORITY);
+    interrupt::TIM7.set_priority(CONTROL_PRIORITY);
     interrupt::TIM5.set_priority(TIME_PRIORITY);
     interrupt::USART1.set_priority(LINK_PRIORITY);
     interrupt::DMA2_STREAM7.set_priority(LINK_PRIORITY);

@@ -135,10 +135,10 @@ fn write_kept(record: Record) {
     unsafe { ptr::write_volatile(KEPT.0.get().cast::<Record>(), record) }
 }
 
-/// Motors low, reason kept, reset. `fill` adds what the caller knows.
+/// Motors told to stop, their lines low, reason kept, reset. `fill` adds what the caller knows.
 fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
     cortex_m::interrupt::disable();
-    motors::force_low();
+    motors::shut_down();
     let mut record = Record::new(kind);
     record.count = read_kept().map_or(0, |earlier| earlier.count).saturating_add(1);
     fill(&mut record);

@@ -3,21 +3,22 @@
 mod battery;
 mod control;
 mod core_setup;
+mod critical;
+mod dshot;
 mod facts;
 mod fault;
+mod idle;
+mod imu;
 mod link;
 mod motors;
+mod spi;
 mod stack;
 mod supervision;
+mod tick_source;
 mod vehicle;
 mod watchdog;
 
 use defmt_rtt as _;
-use embassy_executor::Executor;
-use static_cell::StaticCell;
-
-static EXECUTOR: StaticCell<Executor> = StaticCell::new();
-
 /// Start-up, in the order that leaves no moment unguarded: motors low, watchdog, clocks, then everything else.
 #[cortex_m_rt::entry]
 fn start() -> ! {
@@ -30,6 +31,7 @@ fn start() -> ! {
     core_setup::enable_flash_caches();
     core_setup::enable_clock_monitor();
     core_setup::pause_watchdog_in_debug();
+    core_setup::prepare_core();
     facts::set_priorities();
 
     defmt::info!("mintime firmware {=str}, reset by {}", env!("CARGO_PKG_VERSION"), cause);
@@ -42,14 +44,18 @@ fn start() -> ! {
     let led = supervision::led(parts.led);
     let Ok(link) = link::open(parts.link) else { fault::set_up_failed(line!()) };
 
-    control::start();
+    control::start(dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
     let crashed = crash.is_some();
-    EXECUTOR.init(Executor::new()).run(|spawner| {
-        let (Ok(receive), Ok(transmit), Ok(supervise)) =
-            (link::receive(link.rx), link::transmit(link.tx), supervision::run(battery, led, crashed))
-        else {
+    idle::run(|spawner| {
+        let (Ok(gyro), Ok(receive), Ok(transmit), Ok(supervise)) = (
+            imu::set_up(parts.gyro),
+            link::receive(link.rx),
+            link::transmit(link.tx),
+            supervision::run(battery, led, crashed),
+        ) else {
             fault::set_up_failed(line!())
         };
+        spawner.spawn(gyro);
         spawner.spawn(receive);
         spawner.spawn(transmit);
         spawner.spawn(supervise);

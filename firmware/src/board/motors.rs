@@ -1,9 +1,17 @@
-//! Motor outputs: held low until there is a driver, and forced low by every fault.
+//! Motor lines: low before anything else, connected to their timer once, stopped and low again after every fault.
 
-use embassy_stm32::pac::gpio::vals::{Moder, Pupdr};
-use embassy_stm32::pac::{self};
+use embassy_stm32::pac;
+use embassy_stm32::pac::gpio::vals::{Moder, Ospeedr, Ot, Pupdr};
+use mintime_firmware::dshot::{FRAME_BITS, ZERO_COUNTS};
 
-use super::facts::{MOTOR_PINS, MOTOR_PORT};
+use super::facts::{MOTOR_ALTERNATE_FUNCTION, MOTOR_DMA_STREAM, MOTOR_PINS, MOTOR_PORT, MOTOR_TIMER};
+
+/// Frames that tell the motors to stop, on the way down.
+const STOP_FRAMES: u32 = 4;
+/// Empty bits before each, 67 µs: what was cut short must be over for the speed controllers.
+const GAP_BITS: u32 = 40;
+/// Polls for one bit. It lasts 280 cycles of the processor, whatever the clock, and a poll at least 6.
+const BIT_POLLS: u32 = 200;
 
 /// Drives all four motor pins low as plain outputs, whatever owned them before.
 ///
@@ -15,5 +23,67 @@ pub(super) fn force_low() {
         MOTOR_PORT.bsrr().write(|w| w.set_br(pin, true));
         MOTOR_PORT.pupdr().modify(|w| w.set_pupdr(pin, Pupdr::PULL_DOWN));
         MOTOR_PORT.moder().modify(|w| w.set_moder(pin, Moder::OUTPUT));
+    }
+}
+
+/// Hands the pins to the timer, which must hold them low at that moment.
+pub(super) fn connect() {
+    for pin in MOTOR_PINS {
+        MOTOR_PORT.afr(pin / 8).modify(|w| w.set_afr(pin % 8, MOTOR_ALTERNATE_FUNCTION));
+        MOTOR_PORT.otyper().modify(|w| w.set_ot(pin, Ot::PUSH_PULL));
+        MOTOR_PORT.ospeedr().modify(|w| w.set_ospeedr(pin, Ospeedr::MEDIUM_SPEED));
+        MOTOR_PORT.pupdr().modify(|w| w.set_pupdr(pin, Pupdr::PULL_DOWN));
+        MOTOR_PORT.moder().modify(|w| w.set_moder(pin, Moder::ALTERNATE));
+    }
+}
+
+/// The end of every run: tells the motors to stop, then holds the lines low.
+///
+/// Without the stop frames a speed controller would hold its last throttle until it misses the signal, up to half a
+/// second. They take 0.4 ms, with interrupts off, by registers only and with every wait bounded. On the way from a lost
+/// crystal the bit rate is wrong and nobody listens; then the low line has to do.
+pub(super) fn shut_down() {
+    // In this order: a peripheral without its clock must not be touched.
+    if pac::RCC.ahb1enr().read().gpioben()
+        && pac::RCC.apb1enr().read().tim4en()
+        && MOTOR_PINS.iter().all(|pin| MOTOR_PORT.moder().read().moder(*pin) == Moder::ALTERNATE)
+    {
+        send_stop_frames();
+    }
+    force_low();
+}
+
+fn send_stop_frames() {
+    MOTOR_TIMER.dier().write(|_| {});
+    pac::DMA1.st(MOTOR_DMA_STREAM).cr().modify(|w| w.set_en(false));
+    set_pulse(0);
+    MOTOR_TIMER.cr1().write(|w| {
+        w.set_arpe(true);
+        w.set_cen(true);
+    });
+    for _ in 0..STOP_FRAMES {
+        wait_bits(GAP_BITS);
+        // Holds from the next bit on, for the frame's sixteen: value and checksum of a stop are zeros.
+        set_pulse(ZERO_COUNTS);
+        wait_bits(FRAME_BITS as u32);
+        set_pulse(0);
+        wait_bits(1);
+    }
+}
+
+fn set_pulse(counts: u16) {
+    for channel in 0..MOTOR_PINS.len() {
+        MOTOR_TIMER.ccr(channel).write(|w| w.set_ccr(counts));
+    }
+}
+
+fn wait_bits(bits: u32) {
+    for _ in 0..bits {
+        MOTOR_TIMER.sr().write(|w| w.set_uif(false));
+        for _ in 0..BIT_POLLS {
+            if MOTOR_TIMER.sr().read().uif() {
+                break;
+            }
+        }
     }
 }

@@ -15,7 +15,7 @@ use super::fault;
 /// Length of the flight record: 4 s at 800 Hz, 64,000 of the 65,536 bytes of core-coupled memory.
 const RECORD_TICKS: usize = 3200;
 
-/// What this board can do today. Without a gyro and motor outputs the flight logic refuses to arm and says so.
+/// What this board can do at power-up. The control tick says more as the drivers come up.
 const CAPABILITIES: Capabilities = Capabilities { gyro: false, motors: false };
 
 type Record = [[u8; RECORD_BYTES]; RECORD_TICKS];

@@ -71,11 +71,12 @@ enum Ended {
     Refused(Refusal),
 }
 
-/// Whether arming may work a moment later without anybody's doing: the gyro calibrates, the vehicle comes to rest. For
+/// Whether arming may work a moment later without anybody's doing: the gyro calibrates, the vehicle comes to rest, the
+/// board's drivers start. For
 /// everything else a person is asked; a vehicle must not arm because somebody let go of a switch.
 fn passes_by_itself(refusal: Refusal) -> bool {
     use ArmingBlock as B;
-    let passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0;
+    let passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0 | B::STARTING.0;
     matches!(refusal, Refusal::ArmingBlocked(bits) if bits & !passing == 0)
 }
 

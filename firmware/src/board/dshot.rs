@@ -1,0 +1,200 @@
+//! Four motors at once: DShot600 by one timer and one DMA burst a tick.
+//!
+//! TIM4 counts 140 cycles of 84 MHz per bit and pulses its four channels by their compare registers, which are
+//! preloaded: what is written during a bit holds from the next one on. At each update the timer asks the DMA
+//! controller for four words, the next bit of each motor, which go to the four compare registers through DMAR. The
+//! first bit is written by the program; 16 and 17 are empty, so that the line is low when the stream ends. The
+//! stream's interrupt stops the timer there, before it could ask for more: a request that nobody serves would be
+//! served first in the next frame and shift it by a bit.
+//!
+//! Nothing waits: a frame is started in one tick and looked after in the next, 1.2 ms after it had to be finished.
+#![allow(unsafe_code)]
+
+use core::sync::atomic::{AtomicU32, Ordering};
+
+use cortex_m::peripheral::DWT;
+use embassy_stm32::interrupt;
+use embassy_stm32::pac::DMA1;
+use embassy_stm32::pac::dma::vals::{Dir, Pl, Size};
+use embassy_stm32::pac::timer::vals::Ocm;
+use embassy_stm32::{peripherals, rcc};
+use mintime_firmware::config::MOTOR_COUNT;
+use mintime_firmware::dshot::{BIT_COUNTS, FRAME_BITS, Frame};
+
+use super::facts::{
+    CORE_MHZ, MOTOR_DMA_CHANNEL, MOTOR_DMA_STREAM, MOTOR_FIRST_COMPARE, MOTOR_TIMER, MotorParts,
+};
+use super::motors;
+
+/// Bits that the stream brings: the second to the last, and two empty ones.
+const STREAM_BITS: usize = FRAME_BITS + 1;
+/// Words that the stream moves.
+const STREAM_WORDS: u16 = (STREAM_BITS * MOTOR_COUNT) as u16;
+/// A frame and its two empty bits last 30 µs. One that takes longer than this is lost.
+const FRAME_LIMIT_CYCLES: u32 = 60 * CORE_MHZ;
+/// Polls for the stream to let go when it is switched off: it finishes the word it has in hand.
+const STOP_POLLS: u32 = 200;
+
+/// What the stream reads, bit by bit, motor by motor. In main RAM: DMA cannot reach the core-coupled memory. Atomics,
+/// because somebody else reads them.
+static BITS: [[AtomicU32; MOTOR_COUNT]; STREAM_BITS] =
+    [const { [const { AtomicU32::new(0) }; MOTOR_COUNT] }; STREAM_BITS];
+
+/// Frames that came to their end.
+static FINISHED: AtomicU32 = AtomicU32::new(0);
+/// The cycle counter when the latest did.
+static END_CYCLES: AtomicU32 = AtomicU32::new(0);
+
+/// The motor outputs.
+pub(super) struct Motors {
+    _parts: MotorParts,
+    started: u32,
+    /// The cycle counter at the start of the frame under way, if there is one.
+    under_way: Option<u32>,
+    errors: u32,
+}
+
+impl Motors {
+    /// Takes the four lines over; they stay low until the first frame.
+    pub(super) fn new(parts: MotorParts) -> Self {
+        set_up_timer();
+        let stream = DMA1.st(MOTOR_DMA_STREAM);
+        stream.par().write_value(MOTOR_TIMER.dmar().as_ptr() as u32);
+        stream.m0ar().write_value(BITS.as_ptr() as u32);
+        motors::connect();
+        Self { _parts: parts, started: 0, under_way: None, errors: 0 }
+    }
+
+    /// Looks after the frame of the last tick: the cycle counter at the end of its last bit, if it was sent in full. One
+    /// that was not is taken back and counted.
+    pub(super) fn finish(&mut self) -> Option<u32> {
+        let start = self.under_way?;
+        let stopped = !DMA1.st(MOTOR_DMA_STREAM).cr().read().en();
+        if stopped && FINISHED.load(Ordering::Relaxed) == self.started {
+            self.under_way = None;
+            return Some(END_CYCLES.load(Ordering::Relaxed));
+        }
+        if DWT::cycle_count().wrapping_sub(start) > FRAME_LIMIT_CYCLES {
+            self.errors = self.errors.saturating_add(1);
+            self.take_back();
+            self.under_way = None;
+        }
+        None
+    }
+
+    /// Starts a frame. One that is still under way is let finish, and this one is counted as an error.
+    pub(super) fn send(&mut self, frames: &[Frame; MOTOR_COUNT]) {
+        if self.under_way.is_some() || DMA1.st(MOTOR_DMA_STREAM).cr().read().en() {
+            self.errors = self.errors.saturating_add(1);
+            return;
+        }
+        for (slot, words) in (1..).zip(&BITS) {
+            for (word, frame) in words.iter().zip(frames) {
+                word.store(u32::from(frame.pulse_counts(slot)), Ordering::Relaxed);
+            }
+        }
+        self.started = FINISHED.load(Ordering::Relaxed).wrapping_add(1);
+        clear_flags();
+        let stream = DMA1.st(MOTOR_DMA_STREAM);
+        stream.ndtr().write(|w| w.set_ndt(STREAM_WORDS));
+        // The words are in memory before the stream may read them.
+        cortex_m::asm::dmb();
+        stream.cr().write(|w| {
+            w.set_chsel(MOTOR_DMA_CHANNEL);
+            w.set_dir(Dir::MEMORY_TO_PERIPHERAL);
+            w.set_minc(true);
+            w.set_msize(Size::BITS32);
+            w.set_psize(Size::BITS32);
+            w.set_pl(Pl::VERY_HIGH);
+            w.set_tcie(true);
+            w.set_teie(true);
+            w.set_en(true);
+        });
+        for (channel, frame) in frames.iter().enumerate() {
+            MOTOR_TIMER.ccr(channel).write(|w| w.set_ccr(frame.pulse_counts(0)));
+        }
+        MOTOR_TIMER.dier().write(|w| w.set_ude(true));
+        // From here to the update the counter is at the beginning of an empty bit: all lines stay low.
+        MOTOR_TIMER.cnt().write(|w| w.set_cnt(0));
+        MOTOR_TIMER.cr1().write(|w| {
+            w.set_arpe(true);
+            w.set_cen(true);
+        });
+        // The first bit begins now, on all lines at once, and the second is asked for.
+        MOTOR_TIMER.egr().write(|w| w.set_ug(true));
+        self.under_way = Some(DWT::cycle_count());
+    }
+
+    /// Frames that were not sent in time or not in full.
+    pub(super) fn errors(&self) -> u32 {
+        self.errors
+    }
+
+    /// Ends whatever the stream and the timer are doing; the lines are low then.
+    fn take_back(&mut self) {
+        MOTOR_TIMER.dier().write(|_| {});
+        let stream = DMA1.st(MOTOR_DMA_STREAM);
+        stream.cr().modify(|w| w.set_en(false));
+        for _ in 0..STOP_POLLS {
+            if !stream.cr().read().en() {
+                break;
+            }
+        }
+        // A reset of the timer forgets a request that nobody served. The lines are pulled down meanwhile.
+        set_up_timer();
+    }
+}
+
+/// The timer from scratch: stopped, four channels in PWM mode 1 at zero.
+fn set_up_timer() {
+    rcc::enable_and_reset::<peripherals::TIM4>();
+    MOTOR_TIMER.psc().write_value(0);
+    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+    for pair in 0..2 {
+        MOTOR_TIMER.ccmr_output(pair).write(|w| {
+            for channel in 0..2 {
+                w.set_ocm(channel, Ocm::PWM_MODE1);
+                w.set_ocpe(channel, true);
+            }
+        });
+    }
+    MOTOR_TIMER.dcr().write(|w| {
+        w.set_dba(MOTOR_FIRST_COMPARE);
+        // Transfers less one.
+        w.set_dbl(MOTOR_COUNT as u8 - 1);
+    });
+    MOTOR_TIMER.cr1().write(|w| w.set_arpe(true));
+    MOTOR_TIMER.egr().write(|w| w.set_ug(true));
+    MOTOR_TIMER.ccer().write(|w| {
+        for channel in 0..MOTOR_COUNT {
+            w.set_cce(channel, true);
+        }
+    });
+}
+
+/// The stream is done: during the first empty bit, or after an error of the bus.
+#[interrupt]
+unsafe fn DMA1_STREAM6() {
+    let cycles = DWT::cycle_count();
+    MOTOR_TIMER.dier().write(|_| {});
+    MOTOR_TIMER.cr1().write(|w| w.set_arpe(true));
+    let (register, stream) = (MOTOR_DMA_STREAM / 4, MOTOR_DMA_STREAM % 4);
+    if DMA1.isr(register).read().tcif(stream) {
+        END_CYCLES.store(cycles, Ordering::Relaxed);
+        // One writer: no read-modify-write needed.
+        FINISHED.store(FINISHED.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+    }
+    clear_flags();
+    cortex_m::asm::dsb();
+}
+
+fn clear_flags() {
+    let (register, stream) = (MOTOR_DMA_STREAM / 4, MOTOR_DMA_STREAM % 4);
+    DMA1.ifcr(register).write(|w| {
+        w.set_tcif(stream, true);
+        w.set_htif(stream, true);
+        w.set_teif(stream, true);
+        w.set_dmeif(stream, true);
+        w.set_feif(stream, true);
+    });
+}
