@@ -1,0 +1,1 @@
+//! Boards: which pin of the chip leads to which device.
