@@ -187,7 +187,7 @@ impl Dma {
             0x00 => self.status(0),
             0x04 => self.status(4),
             0x10..=0xCC => {
-                let stream = &self.streams[(offset as usize - 0x10) / 0x18 & 7];
+                let stream = &self.streams[((offset as usize - 0x10) / 0x18) & 7];
                 match (offset - 0x10) % 0x18 {
                     0x00 => stream.cr,
                     0x04 => u32::from(if stream.enabled() { stream.left } else { stream.rest() }),
@@ -206,7 +206,7 @@ impl Dma {
             0x08 => self.clear(0, value),
             0x0C => self.clear(4, value),
             0x10..=0xCC => {
-                let index = (offset as usize - 0x10) / 0x18 & 7;
+                let index = ((offset as usize - 0x10) / 0x18) & 7;
                 let done = self.streams[index].write((offset - 0x10) % 0x18, value, index);
                 self.note(index);
                 return done;

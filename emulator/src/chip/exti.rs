@@ -105,6 +105,6 @@ impl Exti {
     }
 
     fn port_of(&self, line: usize) -> usize {
-        (self.exticr[line / 4 & 3] >> (4 * (line % 4)) & 15) as usize
+        (self.exticr[(line / 4) & 3] >> (4 * (line % 4)) & 15) as usize
     }
 }

@@ -232,7 +232,7 @@ mod tests {
             assert_eq!(found, block, "{address:#x}");
         }
         assert_eq!(place(0x4000_5400), Place::Absent);
-        assert_eq!(place(0x4007_0000), Place::Nothing);
+        assert_eq!(place(0x4002_7000), Place::Nothing);
         assert_eq!(Block::Timer(3).gate(), Some((3, 2)));
         assert_eq!(Block::Timer(11).gate(), Some((3, 6)));
         assert_eq!(Block::Timer(8).gate(), Some((4, 16)));

@@ -12,6 +12,11 @@ impl<B: Board> Chip<B> {
         &self.board
     }
 
+    /// The board, for what makes nothing happen on the chip; else use [`Self::with_board`].
+    pub fn board_mut(&mut self) -> &mut B {
+        &mut self.board
+    }
+
     /// Lets the world act on the board, now, and does what the board asks for. Returns what `act` returns.
     ///
     /// The core looks at [`next_event`](crate::bus::Peripherals::next_event) and at the interrupt lines only after its

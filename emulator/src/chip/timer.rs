@@ -312,7 +312,7 @@ impl Timer {
 
     /// Bits of CCMR for a channel.
     pub(super) fn mode_bits(&self, channel: usize) -> u32 {
-        self.ccmr[channel / 2 & 1] >> (8 * (channel % 2)) & 0xFF
+        self.ccmr[(channel / 2) & 1] >> (8 * (channel % 2)) & 0xFF
     }
 
     /// Where in a period from `start` to `end` each output was high.
