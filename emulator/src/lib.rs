@@ -13,5 +13,8 @@
 //!
 //! One thread, one clock: time is counted in cycles of the core clock ([`bus::Cycle`]). Nothing depends on the host's
 //! time, so that the same image and the same inputs give the same bytes.
+pub mod boards;
 pub mod bus;
+pub mod chip;
+pub mod devices;
 pub mod memory;

@@ -1,0 +1,178 @@
+//! Peripherals that are little more than memory: PWR, RTC and its backup registers, CRC, RNG, DBGMCU.
+
+/// Device identity: STM32F405 (0x413), the latest revision (0x100F).
+const IDCODE: u32 = 0x100F_6413;
+
+/// Their registers.
+#[derive(Clone, Debug)]
+pub(crate) struct Minor {
+    pwr_cr: u32,
+    pwr_csr: u32,
+    rtc: [u32; 40],
+    crc: u32,
+    crc_spare: u8,
+    rng_cr: u32,
+    rng_state: u64,
+    debug: [u32; 3],
+    backup_sram: Box<[u8]>,
+}
+
+impl Minor {
+    pub(crate) fn new() -> Self {
+        Self {
+            pwr_cr: 0x4000,
+            pwr_csr: 0,
+            rtc: reset_rtc(),
+            crc: u32::MAX,
+            crc_spare: 0,
+            rng_cr: 0,
+            rng_state: 0x0123_4567_89AB_CDEF,
+            debug: [0; 3],
+            backup_sram: vec![0; 4096].into(),
+        }
+    }
+
+    /// A system reset: the backup domain and the debug registers stay.
+    pub(crate) fn reset(&mut self) {
+        self.reset_pwr();
+        self.reset_crc();
+        self.reset_rng();
+    }
+
+    /// The backup domain to its reset values.
+    pub(crate) fn reset_backup(&mut self) {
+        self.rtc = reset_rtc();
+    }
+
+    pub(crate) fn reset_pwr(&mut self) {
+        (self.pwr_cr, self.pwr_csr) = (0x4000, self.pwr_csr & 0x200);
+    }
+
+    pub(crate) fn reset_crc(&mut self) {
+        (self.crc, self.crc_spare) = (u32::MAX, 0);
+    }
+
+    pub(crate) fn reset_rng(&mut self) {
+        self.rng_cr = 0;
+    }
+
+    /// PWR_CR.DBP: the backup domain may be written.
+    pub(crate) fn backup_open(&self) -> bool {
+        self.pwr_cr >> 8 & 1 == 1
+    }
+
+    pub(crate) fn read_pwr(&self, offset: u32) -> u32 {
+        match offset {
+            0x00 => self.pwr_cr,
+            // The regulators are always ready: VOSRDY, and BRR once BRE is on.
+            0x04 => self.pwr_csr | 1 << 14 | (self.pwr_csr >> 9 & 1) << 3,
+            _ => 0,
+        }
+    }
+
+    pub(crate) fn write_pwr(&mut self, offset: u32, value: u32) {
+        match offset {
+            0x00 => self.pwr_cr = value & 0x43F3,
+            0x04 => self.pwr_csr = value & 0x300,
+            _ => {}
+        }
+    }
+
+    pub(crate) fn read_rtc(&self, offset: u32) -> u32 {
+        let value = self.rtc.get(offset as usize / 4).copied().unwrap_or(0);
+        if offset == 0x0C {
+            // RSF is always up; INITF follows INIT, and the write flags are ready.
+            return value | 1 << 5 | (value >> 7 & 1) << 6 | 7;
+        }
+        value
+    }
+
+    pub(crate) fn write_rtc(&mut self, offset: u32, value: u32) {
+        if self.backup_open()
+            && let Some(register) = self.rtc.get_mut(offset as usize / 4)
+        {
+            *register = value;
+        }
+    }
+
+    pub(crate) fn read_crc(&self, offset: u32) -> u32 {
+        match offset {
+            0x00 => self.crc,
+            0x04 => u32::from(self.crc_spare),
+            _ => 0,
+        }
+    }
+
+    pub(crate) fn write_crc(&mut self, offset: u32, value: u32) {
+        match offset {
+            0x00 => {
+                // CRC-32 with the Ethernet polynomial, a word at a time, most significant bit first.
+                self.crc ^= value;
+                for _ in 0..32 {
+                    self.crc = self.crc << 1 ^ if self.crc >> 31 == 1 { 0x04C1_1DB7 } else { 0 };
+                }
+            }
+            0x04 => self.crc_spare = value as u8,
+            0x08 if value & 1 == 1 => self.crc = u32::MAX,
+            _ => {}
+        }
+    }
+
+    pub(crate) fn read_rng(&mut self, offset: u32) -> u32 {
+        match offset {
+            0x00 => self.rng_cr,
+            0x04 => self.rng_cr >> 2 & 1,
+            0x08 if self.rng_cr >> 2 & 1 == 1 => {
+                // Xorshift: random enough, and the same on every run.
+                let mut x = self.rng_state;
+                x ^= x << 13;
+                x ^= x >> 7;
+                x ^= x << 17;
+                self.rng_state = x;
+                (x >> 32) as u32
+            }
+            _ => 0,
+        }
+    }
+
+    pub(crate) fn write_rng(&mut self, offset: u32, value: u32) {
+        if offset == 0 {
+            self.rng_cr = value & 0xC;
+        }
+    }
+
+    pub(crate) fn read_debug(&self, offset: u32) -> u32 {
+        match offset {
+            0x00 => IDCODE,
+            0x04..=0x0C => self.debug[(offset as usize - 4) / 4],
+            _ => 0,
+        }
+    }
+
+    pub(crate) fn write_debug(&mut self, offset: u32, value: u32) {
+        if let 0x04..=0x0C = offset {
+            self.debug[(offset as usize - 4) / 4] = value;
+        }
+    }
+
+    pub(crate) fn read_backup_sram(&self, offset: u32, bytes: usize) -> u32 {
+        let at = offset as usize & 0xFFF;
+        self.backup_sram.iter().skip(at).take(bytes).rev().fold(0, |word, &byte| word << 8 | u32::from(byte))
+    }
+
+    pub(crate) fn write_backup_sram(&mut self, offset: u32, bytes: usize, value: u32) {
+        if self.backup_open() {
+            let at = offset as usize & 0xFFF;
+            for (cell, byte) in self.backup_sram.iter_mut().skip(at).take(bytes).zip(value.to_le_bytes()) {
+                *cell = byte;
+            }
+        }
+    }
+}
+
+/// Date 1 January, prescalers for 32,768 Hz (RM0090 section 26.6).
+fn reset_rtc() -> [u32; 40] {
+    let mut registers = [0; 40];
+    (registers[1], registers[4], registers[5]) = (0x2101, 0x007F_00FF, 0xFFFF);
+    registers
+}

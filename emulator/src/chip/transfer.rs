@@ -1,0 +1,286 @@
+//! DMA at work: who asks, and one item after another (RM0090 section 10.3).
+//!
+//! A request is served in the cycle it is made. The real controller takes a few cycles for each, which nothing at the
+//! rates of serial ports, converters and bursts can tell apart.
+
+use super::access::report;
+use super::dma::{Direction, TEIF};
+use super::dma_requests::{Request, requests};
+use super::events::Slot;
+use super::map::{Block, Place, place};
+use super::{Board, Chip};
+use crate::bus::{Access, Cycle, Master, Width};
+use crate::memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES};
+
+/// Items served in one go before a request that never goes away counts as a mistake.
+const MOST_ITEMS: u32 = 1 << 16;
+/// Cycles per item from memory to memory.
+const COPY_CYCLES: u64 = 4;
+
+/// Why DMA cannot reach an address.
+enum Fault {
+    /// Core-coupled memory is on no bus of DMA.
+    Ccm,
+    /// DMA1's peripheral port leads to APB1 only.
+    Dma1Port,
+    /// Nothing, or nothing emulated.
+    Nothing,
+}
+
+impl<B: Board> Chip<B> {
+    /// Serves every request that stands, the most urgent first, until none is left.
+    pub(super) fn pump(&mut self, memory: &mut Memory, at: Cycle) {
+        if self.dma[0].on | self.dma[1].on == 0 {
+            return;
+        }
+        for _ in 0..MOST_ITEMS {
+            let Some((controller, stream, request)) = self.most_urgent() else { return };
+            self.acknowledge(request);
+            self.serve(memory, controller, stream, at);
+            if let Request::TimerUpdate(n) | Request::TimerChannel(n, _) = request {
+                self.timer_changed(n);
+            }
+        }
+        memory.report(at, 0, "a DMA request is served without end: the stream does not reach who asks".into());
+    }
+
+    /// A stream has been switched on.
+    pub(super) fn stream_enabled(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        access: Access,
+    ) {
+        let state = &self.dma[controller].streams[stream];
+        if state.direction() == Direction::MemoryToMemory {
+            if controller == 0 {
+                self.dma[0].streams[stream].fail(TEIF);
+                self.dma[0].note(stream);
+                report(memory, access, Some("DMA1 cannot copy from memory to memory".into()));
+            } else {
+                let end = access.at + COPY_CYCLES * u64::from(state.left);
+                self.events.set(Slot::MemoryCopy(stream as u8), end);
+            }
+        } else if requests(controller, stream, state.channel()).is_empty() {
+            let text =
+                format!("no peripheral asks on DMA{} stream {stream} channel {}", controller + 1, state.channel());
+            report(memory, access, Some(text));
+        }
+    }
+
+    /// Carries a whole transfer from memory to memory.
+    pub(super) fn copy_memory(&mut self, memory: &mut Memory, stream: usize, at: Cycle) {
+        while self.dma[1].streams[stream].enabled() {
+            self.serve(memory, 1, stream, at);
+        }
+    }
+
+    /// The request to serve next: by priority, then by number of the stream.
+    fn most_urgent(&self) -> Option<(usize, usize, Request)> {
+        let mut best: Option<(u32, usize, usize, Request)> = None;
+        for (controller, dma) in self.dma.iter().enumerate() {
+            let mut on = dma.on;
+            while on != 0 {
+                let stream = on.trailing_zeros() as usize;
+                on &= on - 1;
+                let state = &dma.streams[stream];
+                if state.direction() == Direction::MemoryToMemory {
+                    continue;
+                }
+                let asking = requests(controller, stream, state.channel())
+                    .iter()
+                    .find(|request| self.asserted(**request));
+                if let Some(&request) = asking
+                    && best.is_none_or(|(priority, ..)| state.priority() > priority)
+                {
+                    best = Some((state.priority(), controller, stream, request));
+                }
+            }
+        }
+        best.map(|(_, controller, stream, request)| (controller, stream, request))
+    }
+
+    fn asserted(&self, request: Request) -> bool {
+        match request {
+            Request::UsartRx(n) => self.usarts[usize::from(n)].receive_requested(),
+            Request::UsartTx(n) => self.usarts[usize::from(n)].transmit_requested(),
+            Request::SpiRx(n) => self.spis[usize::from(n)].receive_requested(),
+            Request::SpiTx(n) => self.spis[usize::from(n)].transmit_requested(),
+            Request::Adc(n) => self.adcs[usize::from(n)].requested(),
+            Request::TimerUpdate(n) => self.timers[usize::from(n)].update_requested(),
+            Request::TimerChannel(n, channel) => self.timers[usize::from(n)].channel_requested(channel),
+        }
+    }
+
+    /// Timers take a request back once it is served; the others when their data register is reached.
+    fn acknowledge(&mut self, request: Request) {
+        match request {
+            Request::TimerUpdate(n) => self.timers[usize::from(n)].acknowledge(None),
+            Request::TimerChannel(n, channel) => self.timers[usize::from(n)].acknowledge(Some(channel)),
+            _ => {}
+        }
+    }
+
+    /// Carries one item.
+    fn serve(&mut self, memory: &mut Memory, controller: usize, stream: usize, at: Cycle) {
+        let result = match self.dma[controller].streams[stream].direction() {
+            Direction::MemoryToPeripheral => self.item_out(memory, controller, stream, at),
+            Direction::PeripheralToMemory | Direction::MemoryToMemory => {
+                self.item_in(memory, controller, stream, at)
+            }
+        };
+        if let Err((fault, address)) = result {
+            self.dma[controller].streams[stream].fail(TEIF);
+            let who = format!("DMA{} stream {stream}", controller + 1);
+            let text = match fault {
+                Fault::Ccm => format!("{who} is pointed at core-coupled memory ({address:#010x}): it cannot reach it"),
+                Fault::Dma1Port => format!("{who} is pointed at {address:#010x}: DMA1 reaches peripherals on APB1 only"),
+                Fault::Nothing => format!("{who} is pointed at {address:#010x}, where nothing lies that is emulated"),
+            };
+            memory.report(at, 0, text);
+        }
+        self.dma[controller].note(stream);
+        self.refresh(Block::Dma(controller as u8));
+    }
+
+    fn item_in(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+    ) -> Result<(), (Fault, u32)> {
+        let state = &self.dma[controller].streams[stream];
+        let (from, width) = (state.peripheral_at, state.peripheral_bytes());
+        let copies = state.direction() == Direction::MemoryToMemory;
+        let value = self.dma_read(memory, controller, from, width, at, !copies)?;
+        let state = &mut self.dma[controller].streams[stream];
+        state.advance_peripheral();
+        let used = state.fifo_used;
+        for (cell, byte) in state.fifo[used..].iter_mut().zip(value.to_le_bytes()).take(width as usize) {
+            *cell = byte;
+        }
+        state.fifo_used += width as usize;
+        let last = state.left <= 1;
+        let wide = state.memory_bytes() as usize;
+        // The rest of an incomplete word goes out at the end.
+        while self.dma[controller].streams[stream].fifo_used >= wide
+            || last && self.dma[controller].streams[stream].fifo_used > 0
+        {
+            let state = &self.dma[controller].streams[stream];
+            let take = wide.min(state.fifo_used);
+            let (to, value) = (state.memory_at, first_bytes(&state.fifo, take));
+            self.dma_write(memory, controller, to, take as u32, value, at, false)?;
+            let state = &mut self.dma[controller].streams[stream];
+            state.fifo.copy_within(take.., 0);
+            state.fifo_used -= take;
+            state.advance_memory();
+        }
+        self.dma[controller].streams[stream].count_item();
+        Ok(())
+    }
+
+    fn item_out(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+    ) -> Result<(), (Fault, u32)> {
+        let state = &self.dma[controller].streams[stream];
+        let (width, wide) = (state.peripheral_bytes() as usize, state.memory_bytes());
+        while self.dma[controller].streams[stream].fifo_used < width {
+            let from = self.dma[controller].streams[stream].memory_at;
+            let value = self.dma_read(memory, controller, from, wide, at, false)?;
+            let state = &mut self.dma[controller].streams[stream];
+            let used = state.fifo_used;
+            for (cell, byte) in state.fifo[used..].iter_mut().zip(value.to_le_bytes()).take(wide as usize) {
+                *cell = byte;
+            }
+            state.fifo_used += wide as usize;
+            state.advance_memory();
+        }
+        let state = &mut self.dma[controller].streams[stream];
+        let (to, value) = (state.peripheral_at, first_bytes(&state.fifo, width));
+        state.fifo.copy_within(width.., 0);
+        state.fifo_used -= width;
+        state.advance_peripheral();
+        self.dma_write(memory, controller, to, width as u32, value, at, true)?;
+        self.dma[controller].streams[stream].count_item();
+        Ok(())
+    }
+
+    fn dma_read(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        address: u32,
+        width: u32,
+        at: Cycle,
+        peripheral_port: bool,
+    ) -> Result<u32, (Fault, u32)> {
+        check_port(controller, address, peripheral_port)?;
+        let length = width as usize;
+        let plain = if (FLASH_BASE..FLASH_BASE + FLASH_BYTES).contains(&address) {
+            memory.flash.get((address - FLASH_BASE) as usize..)
+        } else if (SRAM_BASE..SRAM_BASE + SRAM_BYTES).contains(&address) {
+            memory.sram.get((address - SRAM_BASE) as usize..)
+        } else {
+            None
+        };
+        if let Some(bytes) = plain {
+            return Ok(bytes.iter().take(length).rev().fold(0, |word, &byte| word << 8 | u32::from(byte)));
+        }
+        let Place::Block(block, offset) = place(address) else { return Err((Fault::Nothing, address)) };
+        let access = Access { at, address, width: access_width(width), pc: 0 };
+        Ok(self.read_block(memory, block, offset, access, Master::Dma(controller as u8 + 1)))
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "an access is that many things")]
+    fn dma_write(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        address: u32,
+        width: u32,
+        value: u32,
+        at: Cycle,
+        peripheral_port: bool,
+    ) -> Result<(), (Fault, u32)> {
+        check_port(controller, address, peripheral_port)?;
+        if (SRAM_BASE..SRAM_BASE + SRAM_BYTES).contains(&address) {
+            let start = (address - SRAM_BASE) as usize;
+            for (cell, byte) in memory.sram[start..].iter_mut().zip(value.to_le_bytes()).take(width as usize) {
+                *cell = byte;
+            }
+            return Ok(());
+        }
+        let Place::Block(block, offset) = place(address) else { return Err((Fault::Nothing, address)) };
+        self.write_block(memory, block, offset, Access { at, address, width: access_width(width), pc: 0 }, value);
+        Ok(())
+    }
+}
+
+/// What a controller's port cannot reach (RM0090 figures 1 and 33).
+fn check_port(controller: usize, address: u32, peripheral_port: bool) -> Result<(), (Fault, u32)> {
+    if (CCM_BASE..CCM_BASE + CCM_BYTES).contains(&address) {
+        return Err((Fault::Ccm, address));
+    }
+    if controller == 0 && peripheral_port && !(0x4000_0000..0x4000_8000).contains(&address) {
+        return Err((Fault::Dma1Port, address));
+    }
+    Ok(())
+}
+
+fn access_width(bytes: u32) -> Width {
+    match bytes {
+        1 => Width::Byte,
+        2 => Width::Half,
+        _ => Width::Word,
+    }
+}
+
+fn first_bytes(fifo: &[u8; 16], count: usize) -> u32 {
+    fifo.iter().take(count.min(4)).rev().fold(0, |word, &byte| word << 8 | u32::from(byte))
+}
