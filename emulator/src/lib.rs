@@ -14,4 +14,8 @@
 //! One thread, one clock: time is counted in cycles of the core clock ([`bus::Cycle`]). Nothing depends on the host's
 //! time, so that the same image and the same inputs give the same bytes.
 pub mod bus;
+pub mod core;
+pub mod machine;
 pub mod memory;
+
+pub use machine::{Machine, NoPeripherals, Stop};
