@@ -16,5 +16,9 @@
 pub mod boards;
 pub mod bus;
 pub mod chip;
+pub mod core;
 pub mod devices;
+pub mod machine;
 pub mod memory;
+
+pub use machine::{Machine, NoPeripherals, Stop};

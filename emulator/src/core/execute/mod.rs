@@ -1,0 +1,581 @@
+//! The interpreter: one loop, one match. What is frequent stands here; the rest in the submodules.
+mod float;
+mod logic;
+mod multiple;
+mod rare;
+
+use crate::{
+    bus::Peripherals,
+    core::{
+        Core, Fault, Sleep, alu,
+        cost::{self, Timing},
+        decode,
+        op::{Op, Size, Slot},
+    },
+    memory::{FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE},
+};
+
+/// Why the inner loop ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Exit {
+    /// Time is up, or something wants a look from outside.
+    Deadline,
+    /// The instruction at `pc` did not complete.
+    Fault(Fault),
+    /// SVC; `pc` is the next instruction.
+    SupervisorCall,
+    /// BKPT; `pc` is its own address.
+    Breakpoint(u8),
+    /// A branch to an EXC_RETURN value.
+    ExceptionReturn(u32),
+    /// An encoding this emulator does not have, at `pc`.
+    Unimplemented,
+}
+
+impl Core {
+    /// Executes until [`Exit`]; never beyond the deadline by more than one instruction.
+    pub(crate) fn run<P: Peripherals>(&mut self, memory: &mut Memory, peripherals: &mut P) -> Exit {
+        match self.timing {
+            Timing::Optimistic => self.run_timed::<P, false>(memory, peripherals),
+            Timing::Pessimistic => self.run_timed::<P, true>(memory, peripherals),
+        }
+    }
+
+    fn run_timed<P: Peripherals, const PESSIMISTIC: bool>(
+        &mut self,
+        memory: &mut Memory,
+        peripherals: &mut P,
+    ) -> Exit {
+        let refill = cost::refill(PESSIMISTIC);
+        // Out of `self`, so that a slot can be looked at while the core changes; put back below.
+        let mut slots = std::mem::take(&mut self.flash_slots);
+        let mut pc = self.pc;
+        let mut executed = 0_u64;
+        let mut scratch;
+
+        macro_rules! r {
+            ($n:expr) => {
+                self.r[($n & 15) as usize]
+            };
+        }
+        macro_rules! check {
+            ($result:expr) => {
+                match $result {
+                    Ok(value) => value,
+                    Err(fault) => break Exit::Fault(fault),
+                }
+            };
+        }
+        macro_rules! nz {
+            ($value:expr) => {{
+                let value: u32 = $value;
+                self.n = (value as i32) < 0;
+                self.z = value == 0;
+                value
+            }};
+        }
+        macro_rules! jump {
+            ($target:expr) => {{
+                pc = $target;
+                self.cycle += refill;
+                continue;
+            }};
+        }
+        // Branch and exchange: EXC_RETURN values in handler mode, bit 0 to EPSR.T.
+        macro_rules! exchange {
+            ($target:expr) => {{
+                let target: u32 = $target;
+                self.cycle += refill;
+                if target >> 28 == 15 && self.ipsr != 0 {
+                    break Exit::ExceptionReturn(target);
+                }
+                pc = target & !1;
+                if target & 1 == 0 {
+                    self.thumb = false;
+                    break Exit::Deadline;
+                }
+                continue;
+            }};
+        }
+        macro_rules! branch_if {
+            ($condition:expr, $target:expr) => {
+                if $condition {
+                    jump!($target);
+                }
+            };
+        }
+        // A load takes a second cycle unless it follows another at once.
+        macro_rules! read {
+            ($bytes:literal, $address:expr) => {{
+                if self.pipelined + 1 != self.cycle {
+                    self.cycle += 1;
+                }
+                let value = check!(self.read::<$bytes, P>(memory, peripherals, $address));
+                self.pipelined = self.cycle;
+                value
+            }};
+        }
+        macro_rules! write {
+            ($bytes:literal, $address:expr, $value:expr) => {{
+                check!(self.write::<$bytes, P>(memory, peripherals, $address, $value));
+                self.pipelined = self.cycle;
+            }};
+        }
+
+        let exit = loop {
+            if self.cycle >= self.deadline {
+                break Exit::Deadline;
+            }
+            let offset = pc ^ self.flash_alias;
+            let mut slot: &Slot = match slots.get((offset >> 1) as usize) {
+                Some(slot) => {
+                    if PESSIMISTIC && offset >> 4 != self.fetch_line {
+                        self.fetch_line = offset >> 4;
+                        self.cycle += memory.flash_interface.fetch(offset >> 4, self.cycle);
+                    }
+                    slot
+                }
+                None => match self.fetch_from_ram(memory, pc) {
+                    Ok(slot) => {
+                        scratch = slot;
+                        &scratch
+                    }
+                    Err(exit) => break exit,
+                },
+            };
+            self.r[15] = pc.wrapping_add(4);
+            if self.it != 0 {
+                if slot.op == Op::Undecoded {
+                    let decoded = self.decode_from_flash(memory, pc, offset);
+                    if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
+                        *slot = decoded;
+                    }
+                    continue;
+                }
+                self.it_before = self.it;
+                self.it_pc = pc;
+                let condition = self.it >> 4;
+                self.it = if self.it & 7 == 0 { 0 } else { self.it & 0xE0 | self.it << 1 & 0x1F };
+                if !self.passes(condition) {
+                    executed += 1;
+                    self.cycle += 1;
+                    pc = pc.wrapping_add(u32::from(slot.len));
+                    continue;
+                }
+                if slot.narrow_flags {
+                    scratch = Slot { op: slot.op.without_flags(), ..*slot };
+                    slot = &scratch;
+                }
+            }
+            executed += 1;
+            self.cycle += u64::from(slot.cost);
+            match slot.op {
+                Op::Undecoded => {
+                    executed -= 1;
+                    let decoded = self.decode_from_flash(memory, pc, offset);
+                    if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
+                        *slot = decoded;
+                    }
+                    continue;
+                }
+                Op::Undefined => break Exit::Fault(Fault::Undefined),
+                Op::NoCoprocessor => break Exit::Fault(Fault::NoCoprocessor),
+                Op::Unimplemented => break Exit::Unimplemented,
+                Op::Nop => {}
+                Op::It { state } => self.it = state,
+
+                Op::MovImm { rd, imm } => r!(rd) = imm,
+                Op::MovsImm { rd, imm } => r!(rd) = nz!(imm),
+                Op::MovReg { rd, rm } => {
+                    let value = r!(rm);
+                    r!(rd) = if rd == 13 { value & !3 } else { value };
+                }
+                Op::MovPc { rm } => jump!(r!(rm) & !1),
+                Op::AddPc { rm } => jump!(self.r[15].wrapping_add(r!(rm)) & !1),
+                Op::MovTop { rd, imm } => r!(rd) = r!(rd) & 0xFFFF | imm,
+                Op::AddImm { rd, rn, imm } => {
+                    let value = r!(rn).wrapping_add(imm);
+                    r!(rd) = if rd == 13 { value & !3 } else { value };
+                }
+                Op::AddsImm { rd, rn, imm } => {
+                    let (value, c, v) = alu::add_with_carry(r!(rn), imm, false);
+                    (self.c, self.v) = (c, v);
+                    r!(rd) = nz!(value);
+                }
+                Op::SubsImm { rd, rn, imm } => r!(rd) = self.subtract(r!(rn), imm),
+                Op::CmpImm { rn, imm } => {
+                    self.subtract(r!(rn), imm);
+                }
+                Op::CmpReg { rn, rm } => {
+                    self.subtract(r!(rn), r!(rm));
+                }
+                Op::AddReg { rd, rn, rm } => {
+                    let value = r!(rn).wrapping_add(r!(rm));
+                    r!(rd) = if rd == 13 { value & !3 } else { value };
+                }
+                Op::AddsReg { rd, rn, rm } => {
+                    let (value, c, v) = alu::add_with_carry(r!(rn), r!(rm), false);
+                    (self.c, self.v) = (c, v);
+                    r!(rd) = nz!(value);
+                }
+                Op::SubReg { rd, rn, rm } => {
+                    let value = r!(rn).wrapping_sub(r!(rm));
+                    r!(rd) = if rd == 13 { value & !3 } else { value };
+                }
+                Op::SubsReg { rd, rn, rm } => r!(rd) = self.subtract(r!(rn), r!(rm)),
+                Op::AddLsl { rd, rn, rm, n } => r!(rd) = r!(rn).wrapping_add(r!(rm) << (n & 31)),
+                Op::AndImm { rd, rn, imm } => r!(rd) = r!(rn) & imm,
+                Op::OrrImm { rd, rn, imm } => r!(rd) = r!(rn) | imm,
+                Op::BicImm { rd, rn, imm } => r!(rd) = r!(rn) & !imm,
+                Op::AndReg { rd, rn, rm } => r!(rd) = r!(rn) & r!(rm),
+                Op::OrrReg { rd, rn, rm } => r!(rd) = r!(rn) | r!(rm),
+                Op::EorReg { rd, rn, rm } => r!(rd) = r!(rn) ^ r!(rm),
+                Op::BicReg { rd, rn, rm } => r!(rd) = r!(rn) & !r!(rm),
+                Op::OrrLsl { rd, rn, rm, n } => r!(rd) = r!(rn) | r!(rm) << (n & 31),
+                Op::LslImm { rd, rm, n } => r!(rd) = r!(rm) << (n & 31),
+                Op::LsrImm { rd, rm, n } => r!(rd) = r!(rm) >> (n & 31),
+                Op::AsrImm { rd, rm, n } => r!(rd) = ((r!(rm) as i32) >> (n & 31)) as u32,
+                Op::LslsImm { rd, rm, n } => {
+                    let value = r!(rm);
+                    self.c = value << ((n - 1) & 31) >> 31 != 0;
+                    r!(rd) = nz!(value << (n & 31));
+                }
+                Op::LsrsImm { rd, rm, n } => {
+                    let value = r!(rm);
+                    self.c = value >> ((n - 1) & 31) & 1 != 0;
+                    r!(rd) = nz!(value >> (n & 31));
+                }
+                Op::AluImm { op, s, carry, rd, rn, imm } => {
+                    let carry = if carry == 2 { self.c } else { carry != 0 };
+                    self.data_operation(op, s, rd, r!(rn), imm, carry);
+                }
+                Op::AluReg { op, s, rd, rn, rm, shift, n } => {
+                    let (value, carry) = alu::shift(r!(rm), shift, n, self.c);
+                    self.data_operation(op, s, rd, r!(rn), value, carry);
+                }
+                Op::ShiftReg { shift, s, rd, rn, rm } => {
+                    let (value, carry) = alu::shift(r!(rn), shift, r!(rm) as u8, self.c);
+                    r!(rd) = value;
+                    if s {
+                        self.c = carry;
+                        nz!(value);
+                    }
+                }
+                Op::Uxtb { rd, rm } => r!(rd) = r!(rm) & 0xFF,
+                Op::Uxth { rd, rm } => r!(rd) = r!(rm) & 0xFFFF,
+                Op::Sxtb { rd, rm } => r!(rd) = r!(rm) as i8 as u32,
+                Op::Sxth { rd, rm } => r!(rd) = r!(rm) as i16 as u32,
+                Op::Ubfx { rd, rn, lsb, width } => {
+                    r!(rd) = r!(rn) >> (lsb & 31) & (u32::MAX >> ((32 - width) & 31));
+                }
+                Op::Bfi { rd, rn, lsb, width } => {
+                    let mask = ((1_u64 << (width & 63)) - 1) as u32;
+                    let value = if rn == 15 { 0 } else { r!(rn) & mask };
+                    r!(rd) = r!(rd) & !(mask << (lsb & 31)) | value << (lsb & 31);
+                }
+                Op::Mul { rd, rn, rm } => r!(rd) = r!(rn).wrapping_mul(r!(rm)),
+                Op::Muls { rd, rn, rm } => r!(rd) = nz!(r!(rn).wrapping_mul(r!(rm))),
+                Op::Mla { rd, rn, rm, ra } => {
+                    r!(rd) = r!(rn).wrapping_mul(r!(rm)).wrapping_add(r!(ra));
+                }
+                Op::Mls { rd, rn, rm, ra } => {
+                    r!(rd) = r!(ra).wrapping_sub(r!(rn).wrapping_mul(r!(rm)));
+                }
+                Op::Umull { lo, hi, rn, rm } => {
+                    let product = u64::from(r!(rn)) * u64::from(r!(rm));
+                    r!(lo) = product as u32;
+                    r!(hi) = (product >> 32) as u32;
+                }
+                Op::Smull { lo, hi, rn, rm } => {
+                    let product = i64::from(r!(rn) as i32) * i64::from(r!(rm) as i32);
+                    r!(lo) = product as u32;
+                    r!(hi) = (product >> 32) as u32;
+                }
+                Op::Umlal { lo, hi, rn, rm } => {
+                    let sum = u64::from(r!(hi)) << 32 | u64::from(r!(lo));
+                    let sum = sum.wrapping_add(u64::from(r!(rn)) * u64::from(r!(rm)));
+                    r!(lo) = sum as u32;
+                    r!(hi) = (sum >> 32) as u32;
+                }
+
+                Op::B { target } => jump!(target),
+                Op::Beq { target } => branch_if!(self.z, target),
+                Op::Bne { target } => branch_if!(!self.z, target),
+                Op::Bcs { target } => branch_if!(self.c, target),
+                Op::Bcc { target } => branch_if!(!self.c, target),
+                Op::Bmi { target } => branch_if!(self.n, target),
+                Op::Bpl { target } => branch_if!(!self.n, target),
+                Op::Bvs { target } => branch_if!(self.v, target),
+                Op::Bvc { target } => branch_if!(!self.v, target),
+                Op::Bhi { target } => branch_if!(self.c & !self.z, target),
+                Op::Bls { target } => branch_if!(!self.c | self.z, target),
+                Op::Bge { target } => branch_if!(self.n == self.v, target),
+                Op::Blt { target } => branch_if!(self.n != self.v, target),
+                Op::Bgt { target } => branch_if!(!self.z & (self.n == self.v), target),
+                Op::Ble { target } => branch_if!(self.z | (self.n != self.v), target),
+                Op::Bl { target } => {
+                    r!(14) = pc.wrapping_add(4) | 1;
+                    jump!(target);
+                }
+                Op::Bx { rm } => exchange!(r!(rm)),
+                Op::Blx { rm } => {
+                    let target = r!(rm);
+                    r!(14) = pc.wrapping_add(2) | 1;
+                    self.cycle += refill;
+                    pc = target & !1;
+                    if target & 1 == 0 {
+                        self.thumb = false;
+                        break Exit::Deadline;
+                    }
+                    continue;
+                }
+                Op::Cbz { rn, target } => branch_if!(r!(rn) == 0, target),
+                Op::Cbnz { rn, target } => branch_if!(r!(rn) != 0, target),
+                Op::TableBranch { rn, rm, half } => {
+                    let entries = if half {
+                        read!(2, r!(rn).wrapping_add(r!(rm) << 1))
+                    } else {
+                        read!(1, r!(rn).wrapping_add(r!(rm)))
+                    };
+                    jump!(self.r[15].wrapping_add(2 * entries));
+                }
+
+                Op::LdrImm { rt, rn, imm } => r!(rt) = read!(4, r!(rn).wrapping_add(imm)),
+                Op::LdrbImm { rt, rn, imm } => r!(rt) = read!(1, r!(rn).wrapping_add(imm)),
+                Op::LdrhImm { rt, rn, imm } => r!(rt) = read!(2, r!(rn).wrapping_add(imm)),
+                Op::LdrLit { rt, address } => r!(rt) = read!(4, address),
+                Op::LdrReg { rt, rn, rm, n } => {
+                    r!(rt) = read!(4, r!(rn).wrapping_add(r!(rm) << (n & 3)));
+                }
+                Op::LdrbReg { rt, rn, rm, n } => {
+                    r!(rt) = read!(1, r!(rn).wrapping_add(r!(rm) << (n & 3)));
+                }
+                Op::StrImm { rt, rn, imm } => write!(4, r!(rn).wrapping_add(imm), r!(rt)),
+                Op::StrbImm { rt, rn, imm } => write!(1, r!(rn).wrapping_add(imm), r!(rt)),
+                Op::StrhImm { rt, rn, imm } => write!(2, r!(rn).wrapping_add(imm), r!(rt)),
+                Op::StrReg { rt, rn, rm, n } => {
+                    write!(4, r!(rn).wrapping_add(r!(rm) << (n & 3)), r!(rt));
+                }
+                Op::Load { .. } | Op::LoadReg { .. } | Op::LoadLit { .. } => {
+                    if self.pipelined + 1 != self.cycle {
+                        self.cycle += 1;
+                    }
+                    let loaded = check!(self.load(memory, peripherals, slot.op));
+                    self.pipelined = self.cycle;
+                    if let Some(target) = loaded {
+                        exchange!(target);
+                    }
+                }
+                Op::Store { size, rt, rn, imm, index } => {
+                    let (address, base) = self.index(rn, imm, index);
+                    check!(self.store(memory, peripherals, size, address, r!(rt)));
+                    r!(rn) = base;
+                }
+                Op::StoreReg { size, rt, rn, rm, n } => {
+                    let address = r!(rn).wrapping_add(r!(rm) << (n & 3));
+                    check!(self.store(memory, peripherals, size, address, r!(rt)));
+                    self.pipelined = self.cycle;
+                }
+                Op::Push { list } => check!(self.push(memory, peripherals, list)),
+                Op::Pop { list } => {
+                    if let Some(target) = check!(self.pop(memory, peripherals, list)) {
+                        exchange!(target);
+                    }
+                }
+                Op::Ldm { rn, list, before, writeback } => {
+                    let loaded = check!(self.load_multiple(memory, peripherals, rn, list, before, writeback));
+                    if let Some(target) = loaded {
+                        exchange!(target);
+                    }
+                }
+                Op::Stm { rn, list, before, writeback } => {
+                    check!(self.store_multiple(memory, peripherals, rn, list, before, writeback));
+                }
+                Op::Ldrd { rt, rt2, rn, imm, index } => {
+                    let (address, base) = self.index(rn, imm, index);
+                    if address & 3 != 0 {
+                        break Exit::Fault(Fault::Unaligned);
+                    }
+                    let low = check!(self.read::<4, P>(memory, peripherals, address));
+                    let high = check!(self.read::<4, P>(memory, peripherals, address.wrapping_add(4)));
+                    if rn != 15 {
+                        r!(rn) = base;
+                    }
+                    (r!(rt), r!(rt2)) = (low, high);
+                }
+                Op::Strd { rt, rt2, rn, imm, index } => {
+                    let (address, base) = self.index(rn, imm, index);
+                    if address & 3 != 0 {
+                        break Exit::Fault(Fault::Unaligned);
+                    }
+                    check!(self.write::<4, P>(memory, peripherals, address, r!(rt)));
+                    check!(self.write::<4, P>(memory, peripherals, address.wrapping_add(4), r!(rt2)));
+                    r!(rn) = base;
+                }
+
+                Op::Svc => {
+                    pc = pc.wrapping_add(2);
+                    break Exit::SupervisorCall;
+                }
+                Op::Bkpt { imm } => break Exit::Breakpoint(imm),
+                Op::Wfi => {
+                    self.sleep = Sleep::Interrupt;
+                    pc = pc.wrapping_add(u32::from(slot.len));
+                    break Exit::Deadline;
+                }
+                Op::Wfe => {
+                    pc = pc.wrapping_add(u32::from(slot.len));
+                    if !std::mem::take(&mut self.event) {
+                        self.sleep = Sleep::Event;
+                        break Exit::Deadline;
+                    }
+                    continue;
+                }
+
+                Op::Vldr { d, double, rn, imm } => {
+                    check!(self.ready_float(memory, peripherals));
+                    check!(self.load_float(memory, peripherals, d, double, rn, imm));
+                }
+                Op::Vstr { d, double, rn, imm } => {
+                    check!(self.ready_float(memory, peripherals));
+                    check!(self.store_float(memory, peripherals, d, double, rn, imm));
+                }
+                Op::Vldm { rn, d, count, before, writeback } => {
+                    check!(self.ready_float(memory, peripherals));
+                    check!(self.load_floats(memory, peripherals, rn, d, count, before, writeback));
+                }
+                Op::Vstm { rn, d, count, before, writeback } => {
+                    check!(self.ready_float(memory, peripherals));
+                    check!(self.store_floats(memory, peripherals, rn, d, count, before, writeback));
+                }
+                Op::Vadd { .. }
+                | Op::Vsub { .. }
+                | Op::Vmul { .. }
+                | Op::Float3 { .. }
+                | Op::Float2 { .. }
+                | Op::VmovImm { .. }
+                | Op::Vcmp { .. }
+                | Op::VcvtFixed { .. }
+                | Op::VmovFromCore { .. }
+                | Op::VmovToCore { .. }
+                | Op::VmovPair { .. }
+                | Op::Vmrs { .. }
+                | Op::Vmsr { .. } => {
+                    check!(self.ready_float(memory, peripherals));
+                    self.execute_float(slot.op);
+                }
+                op => check!(self.execute_rare::<P, PESSIMISTIC>(memory, peripherals, op)),
+            }
+            pc = pc.wrapping_add(u32::from(slot.len));
+        };
+        self.pc = pc;
+        self.counters.instructions += executed;
+        if std::mem::take(&mut self.alias_changed) {
+            slots.fill(Slot::EMPTY);
+        }
+        self.flash_slots = slots;
+        exit
+    }
+
+    /// `x - y` with flags.
+    #[inline(always)]
+    fn subtract(&mut self, x: u32, y: u32) -> u32 {
+        let result = x.wrapping_sub(y);
+        self.n = (result as i32) < 0;
+        self.z = x == y;
+        self.c = x >= y;
+        self.v = ((x ^ y) & (x ^ result)) >> 31 != 0;
+        result
+    }
+
+    /// ConditionPassed (A7.3): `condition` is a four-bit code.
+    pub(crate) fn passes(&self, condition: u8) -> bool {
+        let holds = match condition >> 1 {
+            0 => self.z,
+            1 => self.c,
+            2 => self.n,
+            3 => self.v,
+            4 => self.c && !self.z,
+            5 => self.n == self.v,
+            6 => self.n == self.v && !self.z,
+            _ => return true,
+        };
+        holds == (condition & 1 == 0)
+    }
+
+    /// Decodes at `pc`, `offset` into flash.
+    #[cold]
+    #[inline(never)]
+    fn decode_from_flash(&mut self, memory: &mut Memory, pc: u32, offset: u32) -> Slot {
+        memory.check_fetch(self.cycle, offset);
+        let half = |at: u32| {
+            let at = at as usize;
+            memory.flash.get(at..at + 2).map_or(0xFFFF, |bytes| u16::from_le_bytes([bytes[0], bytes[1]]))
+        };
+        decode::decode(pc, half(offset), half(offset + 2))
+    }
+
+    /// Code in SRAM; decoded anew wherever memory differs from what was decoded.
+    #[inline(never)]
+    fn fetch_from_ram(&mut self, memory: &Memory, pc: u32) -> Result<Slot, Exit> {
+        let offset = pc.wrapping_sub(SRAM_BASE) as usize;
+        let Some(bytes) = memory.sram.get(offset..offset + 2) else {
+            return Err(self.fetch_elsewhere(pc));
+        };
+        let first = u16::from_le_bytes([bytes[0], bytes[1]]);
+        let second = match memory.sram.get(offset + 2..offset + 4) {
+            Some(bytes) if decode::is_wide(first) => u16::from_le_bytes([bytes[0], bytes[1]]),
+            None if decode::is_wide(first) => return Err(Exit::Fault(Fault::InstructionBus)),
+            _ => 0,
+        };
+        let raw = u32::from(first) << 16 | u32::from(second);
+        let Some(entry) = self.ram_slots.get_mut(offset >> 1) else {
+            return Err(Exit::Fault(Fault::InstructionBus));
+        };
+        if entry.0 != raw || entry.1.op == Op::Undecoded {
+            *entry = (raw, decode::decode(pc, first, second));
+        }
+        Ok(entry.1)
+    }
+
+    /// Neither SRAM nor flash as it was: the other alias of flash, or a fault.
+    fn fetch_elsewhere(&mut self, pc: u32) -> Exit {
+        if pc & !FLASH_BASE < FLASH_BYTES {
+            self.flash_alias = pc & FLASH_BASE;
+            self.alias_changed = true;
+            self.deadline = 0;
+            return Exit::Deadline;
+        }
+        // Peripheral, device and system space are XN (B3.1, table B3-1).
+        match pc >> 29 {
+            2 | 5..=7 => Exit::Fault(Fault::InstructionAccess),
+            _ => Exit::Fault(Fault::InstructionBus),
+        }
+    }
+
+    fn index(&self, rn: u8, imm: i16, index: crate::core::op::Index) -> (u32, u32) {
+        use crate::core::op::Index;
+        let base = self.r[usize::from(rn & 15)];
+        let moved = base.wrapping_add(i32::from(imm) as u32);
+        match index {
+            Index::Offset => (moved, base),
+            Index::Pre => (moved, moved),
+            Index::Post => (base, moved),
+        }
+    }
+
+    fn store<P: Peripherals>(
+        &mut self,
+        memory: &mut Memory,
+        peripherals: &mut P,
+        size: Size,
+        address: u32,
+        value: u32,
+    ) -> Result<(), Fault> {
+        match size {
+            Size::Word => self.write::<4, P>(memory, peripherals, address, value),
+            Size::Half | Size::SignedHalf => self.write::<2, P>(memory, peripherals, address, value),
+            Size::Byte | Size::SignedByte => self.write::<1, P>(memory, peripherals, address, value),
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! The whole machine: core, memories and peripherals under one clock.
+mod image;
+mod semihosting;
+
+use crate::{
+    bus::{Access, AccessError, Cycle, NEVER, Peripherals},
+    core::{Core, Exit, Fault, Lockup, Sleep, Timing},
+    memory::Memory,
+};
+
+pub use image::ImageError;
+
+/// Why [`Machine::run_until`] returned.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Stop {
+    /// Virtual time has reached what was asked for.
+    #[error("time is up")]
+    ReachedTime,
+    /// The program ended through semihosting with this code (SYS_EXIT, SYS_EXIT_EXTENDED).
+    #[error("the program exited with code {0}")]
+    Exit(i32),
+    /// A fault in a handler that may not be interrupted (B1.5.15). Hardware stands still until reset.
+    #[error("lock-up at {pc:#010x}: {fault} (CFSR {cfsr:#010x}, HFSR {hfsr:#010x}, BFAR {bfar:#010x})")]
+    Lockup {
+        /// Instruction that faulted.
+        pc: u32,
+        /// How.
+        fault: Fault,
+        /// Configurable Fault Status Register.
+        cfsr: u32,
+        /// HardFault Status Register.
+        hfsr: u32,
+        /// BusFault Address Register.
+        bfar: u32,
+    },
+    /// BKPT, with [`Machine::stop_at_breakpoints`] set.
+    #[error("breakpoint {code} at {pc:#010x}")]
+    Breakpoint {
+        /// The instruction itself.
+        pc: u32,
+        /// Its immediate.
+        code: u8,
+    },
+    /// An instruction this emulator does not have.
+    #[error("the instruction {encoding:#010x} at {pc:#010x} is not implemented")]
+    Unimplemented {
+        /// Where.
+        pc: u32,
+        /// Both halfwords, the first one high.
+        encoding: u32,
+    },
+}
+
+/// A fault taken, kept so that a test can say what went wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FaultRecord {
+    /// When.
+    pub at: Cycle,
+    /// Instruction that faulted.
+    pub pc: u32,
+    /// How.
+    pub fault: Fault,
+    /// Address of a data access (BFAR); meaningful for [`Fault::DataBus`].
+    pub address: u32,
+}
+
+/// Core, memories and peripherals.
+#[derive(Debug)]
+pub struct Machine<P> {
+    /// The processor.
+    pub core: Core,
+    /// Flash and RAM.
+    pub memory: Memory,
+    /// Everything else.
+    pub peripherals: P,
+    /// Whether BKPT 0xAB asks the host (as with a debug probe attached) or faults (as without).
+    pub semihosting: bool,
+    /// Whether other breakpoints stop the machine (as with a debug probe attached) or fault.
+    pub stop_at_breakpoints: bool,
+    /// What the program wrote through semihosting.
+    pub output: Vec<u8>,
+    /// The last fault taken.
+    pub last_fault: Option<FaultRecord>,
+    /// Core clock, for semihosting's clock; Hz.
+    pub clock_hz: u64,
+    symbols: image::Symbols,
+}
+
+/// Nothing outside the core: for bare programs, and for test images built for other Cortex-M boards (linked at 0, RAM
+/// at 0x2000_0000) that stay away from peripherals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NoPeripherals {
+    reset: bool,
+}
+
+impl Peripherals for NoPeripherals {
+    fn read(&mut self, _: &mut Memory, access: Access) -> Result<u32, AccessError> {
+        Err(AccessError::Nothing(access.address))
+    }
+
+    fn write(&mut self, _: &mut Memory, access: Access, _: u32) -> Result<(), AccessError> {
+        Err(AccessError::Nothing(access.address))
+    }
+
+    fn next_event(&self) -> Cycle {
+        NEVER
+    }
+
+    fn advance(&mut self, _: &mut Memory, _: Cycle) {}
+
+    fn interrupt_lines(&self) -> u128 {
+        0
+    }
+
+    fn take_reset(&mut self) -> bool {
+        std::mem::take(&mut self.reset)
+    }
+
+    fn reset(&mut self, _: &mut Memory, _: Cycle) {}
+
+    fn request_reset(&mut self) {
+        self.reset = true;
+    }
+}
+
+impl<P: Peripherals> Machine<P> {
+    /// A machine with blank flash; `seed` makes the noise in RAM at power-up. Load an image before running.
+    pub fn new(peripherals: P, timing: Timing, seed: u64) -> Self {
+        Self {
+            core: Core::new(timing),
+            memory: Memory::new(seed),
+            peripherals,
+            semihosting: true,
+            stop_at_breakpoints: false,
+            output: Vec::new(),
+            last_fault: None,
+            clock_hz: 168_000_000,
+            symbols: image::Symbols::default(),
+        }
+    }
+
+    /// Where virtual time stands; cycles of the core clock.
+    pub fn time(&self) -> Cycle {
+        self.core.cycle
+    }
+
+    /// Runs until virtual time reaches `limit`, or something stops the machine. Time may end a few cycles late, by
+    /// the length of one instruction, exception entry or stall of flash.
+    pub fn run_until(&mut self, limit: Cycle) -> Stop {
+        loop {
+            self.settle();
+            if self.core.cycle >= limit {
+                return Stop::ReachedTime;
+            }
+            if self.core.sleep != Sleep::Awake {
+                self.sleep(limit);
+                continue;
+            }
+            let result = match self.core.exception_to_take() {
+                Some(exception) => {
+                    self.core.enter(&mut self.memory, &mut self.peripherals, exception)
+                }
+                None if !self.core.thumb => {
+                    // The instruction at the target faults (B1.5.14); it is still to be executed.
+                    self.fault(Fault::InvalidState)
+                }
+                None => {
+                    self.core.deadline =
+                        limit.min(self.peripherals.next_event()).min(self.core.systick.next_event());
+                    match self.core.run(&mut self.memory, &mut self.peripherals) {
+                        Exit::Deadline => continue,
+                        Exit::Fault(fault) => self.fault(fault),
+                        Exit::SupervisorCall => self.supervisor_call(),
+                        Exit::ExceptionReturn(value) => {
+                            self.core.exception_return(&mut self.memory, &mut self.peripherals, value)
+                        }
+                        Exit::Breakpoint(0xAB) if self.semihosting => match self.semihost() {
+                            Some(code) => return Stop::Exit(code),
+                            None => Ok(()),
+                        },
+                        Exit::Breakpoint(code) if self.stop_at_breakpoints => {
+                            return Stop::Breakpoint { pc: self.core.pc, code };
+                        }
+                        Exit::Breakpoint(_) => self.fault(Fault::Breakpoint),
+                        Exit::Unimplemented => {
+                            return Stop::Unimplemented { pc: self.core.pc, encoding: self.encoding_at_pc() };
+                        }
+                    }
+                }
+            };
+            if let Err(Lockup { fault }) = result {
+                return Stop::Lockup {
+                    pc: self.core.pc,
+                    fault,
+                    cfsr: self.core.scs.cfsr,
+                    hfsr: self.core.scs.hfsr,
+                    bfar: self.core.scs.bfar,
+                };
+            }
+        }
+    }
+
+    /// Lets everything outside the core catch up with its clock.
+    fn settle(&mut self) {
+        let now = self.core.cycle;
+        if self.peripherals.next_event() <= now {
+            self.peripherals.advance(&mut self.memory, now);
+            self.memory.flash_interface.forget_recent();
+        }
+        let lines = self.peripherals.interrupt_lines();
+        if lines != self.core.nvic.lines() {
+            let before = self.core.nvic.pending;
+            self.core.nvic.set_lines(lines);
+            if self.core.scs.sends_event_on_pend() && before != self.core.nvic.pending {
+                self.core.event = true;
+            }
+        }
+        if self.core.systick.next_event() <= now {
+            self.core.count_systick();
+        }
+        if self.peripherals.take_reset() {
+            self.core.reset(&mut self.memory);
+            self.peripherals.reset(&mut self.memory, now);
+            self.core.nvic.set_lines(self.peripherals.interrupt_lines());
+        }
+        if self.memory.has_changes() || self.memory.flash_interface.busy_until > now {
+            self.core.follow_flash(&mut self.memory);
+        }
+    }
+
+    /// Skips to whatever may wake the core.
+    fn sleep(&mut self, limit: Cycle) {
+        let core = &mut self.core;
+        let wakes = match core.sleep {
+            Sleep::Event => std::mem::take(&mut core.event) || core.wakes(),
+            _ => core.wakes(),
+        };
+        if wakes {
+            core.sleep = Sleep::Awake;
+            return;
+        }
+        let next = limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
+        core.counters.asleep += next - core.cycle;
+        core.cycle = next;
+    }
+
+    fn fault(&mut self, fault: Fault) -> Result<(), Lockup> {
+        let core = &mut self.core;
+        let address = core.fault_address();
+        self.last_fault = Some(FaultRecord { at: core.cycle, pc: core.pc, fault, address });
+        core.take_fault(&mut self.memory, &mut self.peripherals, fault)
+    }
+
+    fn supervisor_call(&mut self) -> Result<(), Lockup> {
+        let core = &mut self.core;
+        if core.can_call_supervisor() {
+            return core.enter(&mut self.memory, &mut self.peripherals, crate::core::SV_CALL);
+        }
+        self.fault(Fault::SupervisorCall)
+    }
+
+    /// Both halfwords of the instruction to execute.
+    fn encoding_at_pc(&mut self) -> u32 {
+        let half = |at: u32| self.memory.peek(at, 2).map_or(0xFFFF, |bytes| u32::from(bytes[0]) | u32::from(bytes[1]) << 8);
+        half(self.core.pc) << 16 | half(self.core.pc.wrapping_add(2))
+    }
+}

@@ -1,0 +1,101 @@
+//! Loading an ELF, and the symbols the machine looks for.
+use object::{
+    Endianness,
+    elf::{FileHeader32, PT_LOAD},
+    read::elf::{FileHeader, ProgramHeader, Sym},
+};
+
+use crate::{Machine, bus::Peripherals, memory::FLASH_BASE};
+
+/// Why an ELF cannot be loaded.
+#[derive(Debug, thiserror::Error)]
+pub enum ImageError {
+    /// Not a 32-bit ELF.
+    #[error("not an ELF for this machine: {0}")]
+    Elf(#[from] object::read::Error),
+    /// A segment that no memory takes.
+    #[error("a segment of {bytes} bytes at {address:#010x} lies in no memory")]
+    Outside {
+        /// Physical address.
+        address: u32,
+        /// Size in the file.
+        bytes: usize,
+    },
+}
+
+/// Addresses of symbols that tools look for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Symbols {
+    /// `_SEGGER_RTT`.
+    pub(super) rtt: Option<u32>,
+}
+
+impl<P: Peripherals> Machine<P> {
+    /// Loads an image by the physical addresses of its program headers, as a programmer does, and resets the core.
+    /// Images linked at 0 are taken as linked to the alias of flash. An image with nothing in flash starts at its
+    /// entry point, with the vector table at the lowest address loaded.
+    ///
+    /// # Errors
+    /// [`ImageError`].
+    pub fn load_elf(&mut self, elf: &[u8]) -> Result<(), ImageError> {
+        let header = FileHeader32::<Endianness>::parse(elf)?;
+        let endian = header.endian()?;
+        let mut lowest = u32::MAX;
+        for segment in header.program_headers(endian, elf)? {
+            let content = segment.data(endian, elf).unwrap_or_default();
+            if segment.p_type(endian) != PT_LOAD || content.is_empty() {
+                continue;
+            }
+            let address = segment.p_paddr(endian);
+            self.memory
+                .place(address, content)
+                .ok_or(ImageError::Outside { address, bytes: content.len() })?;
+            lowest = lowest.min(address);
+        }
+        self.symbols = Symbols::default();
+        let sections = header.sections(endian, elf)?;
+        let table = sections.symbols(endian, elf, object::elf::SHT_SYMTAB)?;
+        for symbol in table.iter() {
+            if symbol.name(endian, table.strings()).is_ok_and(|name| name == b"_SEGGER_RTT") {
+                self.symbols.rtt = Some(symbol.st_value(endian));
+            }
+        }
+        self.core.reset(&mut self.memory);
+        let in_flash = lowest & !FLASH_BASE < crate::memory::FLASH_BYTES;
+        if !in_flash {
+            self.core.start_in_ram(&self.memory, lowest, header.e_entry(endian));
+        }
+        Ok(())
+    }
+
+    /// What the program wrote to channel 0 of SEGGER's Real-Time Transfer since last asked; empty where the image
+    /// has no such channel. Reading makes room, as a debug probe would.
+    pub fn read_rtt(&mut self) -> Vec<u8> {
+        self.try_read_rtt().unwrap_or_default()
+    }
+
+    fn try_read_rtt(&mut self) -> Option<Vec<u8>> {
+        let block = self.symbols.rtt?;
+        // The first up-channel lies behind the identifier (16 bytes) and two counts: name, buffer, size, write and
+        // read offset, flags.
+        let channel = block.checked_add(24)?;
+        let word = |at: u32| {
+            let bytes = self.memory.peek(at, 4)?;
+            Some(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+        };
+        let (buffer, size) = (word(channel + 4)?, word(channel + 8)?);
+        let (write, read) = (word(channel + 12)?, word(channel + 16)?);
+        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size {
+            return None;
+        }
+        let mut bytes = Vec::new();
+        if write < read {
+            bytes.extend_from_slice(self.memory.peek(buffer.checked_add(read)?, size - read)?);
+            bytes.extend_from_slice(self.memory.peek(buffer, write)?);
+        } else {
+            bytes.extend_from_slice(self.memory.peek(buffer.checked_add(read)?, write - read)?);
+        }
+        self.memory.place(channel + 16, &write.to_le_bytes())?;
+        Some(bytes)
+    }
+}
