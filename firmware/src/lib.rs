@@ -32,3 +32,4 @@ pub mod recorder;
 mod requests;
 pub mod supervisor;
 pub mod vehicle;
+pub mod watch;

@@ -198,6 +198,15 @@ pub enum FlightState {
 }
 
 impl FlightState {
+    /// All states, in the order of their numbers on the wire.
+    pub const ALL: [Self; 6] =
+        [Self::Disarmed, Self::Armed, Self::Flying, Self::Maneuver, Self::LinkLost, Self::Stopped];
+
+    /// The state with this number on the wire.
+    pub fn from_index(index: u32) -> Option<Self> {
+        Self::ALL.get(index as usize).copied()
+    }
+
     /// Whether the motors may turn.
     pub fn motors_on(self) -> bool {
         !matches!(self, Self::Disarmed | Self::Stopped)

@@ -9,9 +9,14 @@ use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 use mintime_simulator::{Model, ParameterError, SimulatorError, Truth, VehicleParameters};
+use emulator::core::Timing;
 use nalgebra::Vector3;
 
-use crate::flight::{FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Trace, Witness, fly};
+use crate::firmware_image::FirmwareImage;
+use crate::flight::{
+    BoardReport, FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Phase, Scene, Trace, VirtualBoardError,
+    VirtualVehicle, Witness, fly,
+};
 use crate::pack::{PackError, pack};
 use crate::solver::{Request, Solution, SolveError, Turns, solve};
 
@@ -153,6 +158,40 @@ impl Extent {
     }
 }
 
+/// What flies.
+#[derive(Clone, Debug)]
+pub enum VehicleChoice {
+    /// The flight logic in this process.
+    Hosted,
+    /// A firmware image on the virtual board.
+    Virtual(FirmwareImage),
+}
+
+impl VehicleChoice {
+    /// Its name in logs and answers.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Hosted => "hosted",
+            Self::Virtual(_) => "virtual",
+        }
+    }
+}
+
+/// What the emulator measured on the flying board. Pairs are (optimistic, pessimistic) about the processor's timing.
+#[derive(Clone, Debug)]
+pub struct EmulatedFlight {
+    /// SHA-256 of the image, hexadecimal.
+    pub image_sha256: String,
+    /// Virtual time over wall time.
+    pub real_time_factor: f64,
+    /// Data ready to the end of the last motor frame, median, µs.
+    pub latency_us: [f64; 2],
+    /// Its spread from 0.1 % to 99.9 %, µs.
+    pub jitter_us: [f64; 2],
+    /// What else was measured, in pessimistic timing.
+    pub board: BoardReport,
+}
+
 /// All that a mission needs to know.
 #[derive(Clone, Debug)]
 pub struct Mission {
@@ -230,6 +269,9 @@ pub enum MissionError {
     /// The simulation cannot start.
     #[error(transparent)]
     Simulator(#[from] SimulatorError),
+    /// The virtual board cannot be set up.
+    #[error(transparent)]
+    Board(#[from] VirtualBoardError),
     /// The flight failed.
     #[error("{0}")]
     Flight(#[from] FlightError),
@@ -255,6 +297,10 @@ pub struct Flown {
     pub prepared: Prepared,
     /// How it went; an error for a flight that was lost.
     pub flight: Result<FlightResult, FlightError>,
+    /// What flew: its name.
+    pub vehicle: &'static str,
+    /// What the emulator measured, where it ran the vehicle.
+    pub emulated: Option<EmulatedFlight>,
     /// What was logged on the side.
     pub trace: Trace,
     /// Virtual time that the flight took, s.
@@ -424,32 +470,91 @@ fn check_plant(plant: &VehicleParameters, table: &ManeuverTable) -> Result<(), M
     Ok(())
 }
 
-/// Flies a prepared maneuver on the hosted vehicle.
+/// Flies a prepared maneuver.
 ///
 /// # Errors
-/// [`MissionError::Simulator`]. A flight that fails is not an error here: see [`Flown::flight`].
-pub fn fly_hosted(
+/// [`MissionError::Simulator`], [`MissionError::Board`] and what the plant rules out. A flight that fails is not an error
+/// here: see [`Flown::flight`].
+pub fn fly_mission(
     mission: &Mission,
     prepared: Prepared,
+    vehicle: &VehicleChoice,
     witness: &mut impl Witness,
 ) -> Result<Flown, MissionError> {
-    let clock = Instant::now();
     check_plant(&mission.plant.parameters, &prepared.table)?;
     let floor_m = mission
         .room
         .map_or_else(|| prepared.extent.z_m.0 - prepared.extent.catch_distance_m(), |room| room.z_m.0);
-    let heading_rad = f64::from(prepared.table.heading_rad);
-    let duration_s = f64::from(prepared.table.duration_s());
-    let mut vehicle =
-        HostedVehicle::new(&mission.plant.parameters, mission.seed, floor_m, heading_rad, duration_s)?;
+    let scene = Scene {
+        parameters: &mission.plant.parameters,
+        seed: mission.seed,
+        ground_z_m: floor_m,
+        heading_rad: f64::from(prepared.table.heading_rad),
+        maneuver_s: f64::from(prepared.table.duration_s()),
+    };
     let plan = FlightPlan { table: prepared.table.clone(), start_m: Vector3::zeros() };
-    let flight = fly(&mut vehicle, &plan, witness);
-    let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
+    let clock = Instant::now();
+    let (flight, trace, virtual_time_s, emulated) = match vehicle {
+        VehicleChoice::Hosted => {
+            let mut vehicle = HostedVehicle::new(&scene)?;
+            let flight = fly(&mut vehicle, &plan, witness);
+            let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
+            (flight, vehicle.into_trace(), virtual_time_s, None)
+        }
+        VehicleChoice::Virtual(image) => fly_virtual(&scene, &plan, image, witness)?,
+    };
     Ok(Flown {
         prepared,
         flight,
-        trace: vehicle.into_trace(),
+        vehicle: vehicle.name(),
+        emulated,
+        trace,
         virtual_time_s,
         wall_time_s: clock.elapsed().as_secs_f64(),
     })
+}
+
+type FlownBoard = (Result<FlightResult, FlightError>, Trace, f64, Option<EmulatedFlight>);
+
+/// Flies on the virtual board, with pessimistic timing; a twin on the other processor core flies the same with optimistic
+/// timing, to tell both ends of what a real board would take.
+fn fly_virtual(
+    scene: &Scene<'_>,
+    plan: &FlightPlan,
+    image: &FirmwareImage,
+    witness: &mut impl Witness,
+) -> Result<FlownBoard, MissionError> {
+    let mut vehicle = VirtualVehicle::new(scene, image.elf(), Timing::Pessimistic)?;
+    let mut twin = VirtualVehicle::new(scene, image.elf(), Timing::Optimistic)?;
+    let (flight, wall_s, optimistic) = std::thread::scope(|scope| {
+        let twin = scope.spawn(|| {
+            // Its outcome is nobody's business: only its timing is.
+            let _ = fly(&mut twin, plan, &mut Unseen);
+            twin.report()
+        });
+        let clock = Instant::now();
+        let flight = fly(&mut vehicle, plan, witness);
+        (flight, clock.elapsed().as_secs_f64(), twin.join().unwrap_or_default())
+    });
+    let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
+    let board = vehicle.report();
+    let us = |pick: fn((u32, u32)) -> u32| {
+        [&optimistic, &board].map(|r| r.latency_ns.map_or(f64::NAN, |l| f64::from(pick(l)) * 1e-3))
+    };
+    let emulated = EmulatedFlight {
+        image_sha256: image.sha256(),
+        real_time_factor: virtual_time_s / wall_s,
+        latency_us: us(|(median, _)| median),
+        jitter_us: us(|(_, jitter)| jitter),
+        board,
+    };
+    Ok((flight, vehicle.into_trace(), virtual_time_s, Some(emulated)))
+}
+
+/// A witness that looks away.
+struct Unseen;
+
+impl Witness for Unseen {
+    fn phase(&mut self, _: Phase, _: f64) {}
+    fn event(&mut self, _: f64, _: &str) {}
 }

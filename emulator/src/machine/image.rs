@@ -99,3 +99,37 @@ impl<P: Peripherals> Machine<P> {
         Some(bytes)
     }
 }
+
+/// Address of a symbol of an ELF.
+pub fn symbol_address(elf: &[u8], name: &str) -> Option<u32> {
+    let header = FileHeader32::<Endianness>::parse(elf).ok()?;
+    let endian = header.endian().ok()?;
+    let sections = header.sections(endian, elf).ok()?;
+    let table = sections.symbols(endian, elf, object::elf::SHT_SYMTAB).ok()?;
+    let symbol = table.iter().find(|s| s.name(endian, table.strings()).is_ok_and(|n| n == name.as_bytes()))?;
+    Some(symbol.st_value(endian))
+}
+
+/// What an image puts into flash, from the lowest address to the highest; gaps stay erased.
+///
+/// # Errors
+/// [`ImageError`].
+pub fn flash_content(elf: &[u8]) -> Result<Vec<u8>, ImageError> {
+    let header = FileHeader32::<Endianness>::parse(elf)?;
+    let endian = header.endian()?;
+    let mut pieces = Vec::new();
+    for segment in header.program_headers(endian, elf)? {
+        let content = segment.data(endian, elf).unwrap_or_default();
+        let offset = segment.p_paddr(endian) & !FLASH_BASE;
+        if segment.p_type(endian) == PT_LOAD && offset < crate::memory::FLASH_BYTES && !content.is_empty() {
+            pieces.push((offset as usize, content));
+        }
+    }
+    let begin = pieces.iter().map(|(at, _)| *at).min().unwrap_or(0);
+    let end = pieces.iter().map(|(at, content)| at + content.len()).max().unwrap_or(0);
+    let mut flash = vec![0xFF; end - begin];
+    for (at, content) in pieces {
+        flash[at - begin..at - begin + content.len()].copy_from_slice(content);
+    }
+    Ok(flash)
+}

@@ -19,6 +19,7 @@ use mintime_firmware::dshot::Frame;
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::pacing::Pacer;
+use mintime_firmware::watch::{RECEIVE_BYTES, Watch};
 use mintime_shared::messages::BoardTelemetry;
 use static_cell::StaticCell;
 
@@ -32,7 +33,7 @@ use super::watchdog::{self, Party};
 use super::{battery, supervision};
 
 /// Link bytes moved per tick and direction. The line carries 115.2 in a tick.
-const BYTES_PER_TICK: usize = 128;
+const BYTES_PER_TICK: usize = RECEIVE_BYTES;
 
 /// Ticks run.
 pub(super) static TICKS: AtomicU32 = AtomicU32::new(0);
@@ -67,6 +68,7 @@ struct Control {
     motors_on: bool,
     measured: BoardTelemetry,
     bytes: [u8; BYTES_PER_TICK],
+    watch: &'static mut Watch,
 }
 
 /// Starts the control tick.
@@ -86,6 +88,7 @@ pub(super) fn start(motors: Motors, late_timer: LateTimer) {
         motors_on: false,
         measured: BoardTelemetry::default(),
         bytes: [0; BYTES_PER_TICK],
+        watch: vehicle::watch(),
     });
     control.arm_timer();
     HANDLE.lock(|handle| handle.set(Some(control)));
@@ -148,7 +151,8 @@ impl Control {
     fn tick(&mut self, now_us: u64, imu: Option<ImuSample>, edge: Option<u32>) {
         let battery_v = battery::voltage();
         // This board has no kill switch.
-        let output = self.vehicle.tick(&TickInput { now_us, imu, battery_v, kill: false });
+        let input = TickInput { now_us, imu, battery_v, kill: false };
+        let output = self.vehicle.tick(&input);
         let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
         self.motors.send(&frames);
         self.answered_edge = edge;
@@ -156,8 +160,10 @@ impl Control {
         // The motors have theirs; now everything that may take its time.
         self.count_arming_frames(output.throttle.is_some(), battery_v);
         self.take_gyro();
-        self.publish();
+        let status = self.publish();
+        self.watch.note(&input, &output, self.vehicle.state(), &status);
         self.move_bytes();
+        self.watch.ticks = self.watch.ticks.wrapping_add(1);
         watchdog::check_in(Party::Control);
         // One writer: no read-modify-write needed.
         TICKS.store(TICKS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
@@ -212,7 +218,8 @@ impl Control {
         self.gyro_pending = false;
     }
 
-    fn publish(&mut self) {
+    /// Hands the flight logic what the board says of itself.
+    fn publish(&mut self) -> BoardStatus {
         let measured = &mut self.measured;
         measured.missed_ticks = self.pacer.missed();
         measured.spurious_edges = self.pacer.spurious();
@@ -221,13 +228,15 @@ impl Control {
         let stack = supervision::STACK_USED_BYTES.load(Ordering::Relaxed);
         measured.stack_used_bytes = u16::try_from(stack).unwrap_or(u16::MAX);
         let motors = self.arming_frames >= MOTOR_ARMING_FRAMES;
-        self.vehicle.set_board_status(&BoardStatus {
+        let status = BoardStatus {
             capabilities: Capabilities { gyro: self.imu.is_some(), motors },
             // Outputs that do not work are not starting.
             starting: self.gyro_pending || (!motors && self.motors_well),
             telemetry: *measured,
-        });
+        };
+        self.vehicle.set_board_status(&status);
         TELEMETRY.lock(|telemetry| telemetry.set(Some(*measured)));
+        status
     }
 
     fn move_bytes(&mut self) {
@@ -240,8 +249,10 @@ impl Control {
             rest = rest.get(taken..).unwrap_or_default();
         }
 
-        let received = INBOX.try_read(&mut self.bytes).unwrap_or(0);
-        self.vehicle.receive(self.bytes.get(..received).unwrap_or_default());
+        let received = INBOX.try_read(&mut self.watch.received).unwrap_or(0);
+        self.watch.room = room as u32;
+        self.watch.received_len = received as u32;
+        self.vehicle.receive(self.watch.received());
     }
 
     fn keep_run_time(&mut self, begin: u32) {

@@ -7,6 +7,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 
 use mintime_firmware::config::{Capabilities, VehicleConfig};
 use mintime_firmware::vehicle::Vehicle;
+use mintime_firmware::watch::Watch;
 use mintime_shared::messages::RECORD_BYTES;
 use static_cell::StaticCell;
 
@@ -46,4 +47,22 @@ pub(super) fn take() -> &'static mut BoardVehicle {
         (*memory).assume_init_mut()
     };
     VEHICLE.init_with(|| Vehicle::new(VehicleConfig::REFERENCE, CAPABILITIES, record))
+}
+
+struct WatchCell(UnsafeCell<Watch>);
+// SAFETY: only `watch` touches it, and only once.
+unsafe impl Sync for WatchCell {}
+
+/// What the last control tick got and gave, for a debug probe. Its name is [`mintime_firmware::watch::WATCH_SYMBOL`].
+#[unsafe(no_mangle)]
+static MINTIME_WATCH: WatchCell = WatchCell(UnsafeCell::new(Watch::new()));
+static WATCH_TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// The place for the last control tick. A second call ends the run.
+pub(super) fn watch() -> &'static mut Watch {
+    if WATCH_TAKEN.swap(true, Ordering::AcqRel) {
+        fault::set_up_failed(line!());
+    }
+    // SAFETY: the flag above lets one caller through, so this is the only reference.
+    unsafe { &mut *MINTIME_WATCH.0.get() }
 }

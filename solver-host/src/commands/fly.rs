@@ -6,7 +6,8 @@ use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 use mintime::flight_log::{check_writable, write_mcap};
-use mintime::mission::{self, Mission, PlantChoice, Room, Source};
+use mintime::firmware_image::FirmwareImage;
+use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
@@ -36,9 +37,12 @@ pub(crate) struct Fly {
     save_table: Option<PathBuf>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// What flies: `hosted` runs the flight logic in this process
-    #[arg(long, value_enum, default_value = "hosted")]
+    /// What flies
+    #[arg(long, value_enum, default_value = "virtual")]
     vehicle: VehicleKind,
+    /// The image that the virtual flight controller runs; built from the sources if not given
+    #[arg(long, value_name = "FILE.elf")]
+    firmware: Option<PathBuf>,
     /// The simulated airframe: `ideal` (the planning model itself), `nominal` (lag, drag, noise, wrong scales), or a
     /// TOML file (see docs/vehicles.md)
     #[arg(long, value_name = "ideal|nominal|FILE.toml", default_value = "nominal")]
@@ -64,7 +68,9 @@ pub(crate) struct Fly {
 /// What can fly.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum VehicleKind {
-    /// The flight logic in this process, with a simulated airframe, in virtual time.
+    /// The very firmware image that gets flashed, on an emulated flight controller
+    Virtual,
+    /// The flight logic in this process: no image needed, twenty times as fast
     Hosted,
 }
 
@@ -96,6 +102,20 @@ impl Fly {
         Ok(Mission { source, plant: PlantChoice::from_argument(&self.plant)?, seed: self.seed, room })
     }
 
+    fn vehicle(&self, progress: &Progress) -> Result<VehicleChoice, Box<dyn Error>> {
+        Ok(match (self.vehicle, &self.firmware) {
+            (VehicleKind::Hosted, None) => VehicleChoice::Hosted,
+            (VehicleKind::Hosted, Some(_)) => {
+                return Err("the hosted vehicle runs no image: leave out --firmware, or fly with --vehicle virtual".into());
+            }
+            (VehicleKind::Virtual, Some(path)) => VehicleChoice::Virtual(FirmwareImage::read(path)?),
+            (VehicleKind::Virtual, None) => {
+                let mut say = |text: &str| progress.announce(text);
+                VehicleChoice::Virtual(FirmwareImage::build(&mut say)?)
+            }
+        })
+    }
+
     /// Whether it was flown to its end and caught.
     fn fly(&self) -> Result<bool, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
@@ -105,7 +125,6 @@ impl Fly {
         self.save_table.as_deref().map(check_writable).transpose()?;
         let mission = self.mission()?;
 
-        let VehicleKind::Hosted = self.vehicle;
         let mut progress = Progress::new();
         progress.say("computing the maneuver");
         let prepared =
@@ -113,8 +132,9 @@ impl Fly {
         if let Some(path) = &self.save_table {
             write_bytes(path, &prepared.bytes)?;
         }
-        let flown =
-            mission::fly_hosted(&mission, prepared, &mut progress).inspect_err(|_| progress.finish())?;
+        let vehicle = self.vehicle(&progress).inspect_err(|_| progress.finish())?;
+        let flown = mission::fly_mission(&mission, prepared, &vehicle, &mut progress)
+            .inspect_err(|_| progress.finish())?;
 
         progress.say("writing the log and the picture");
         write_mcap(&recording::log(&mission, &flown, std::mem::take(&mut progress.events)), &self.log)?;

@@ -27,6 +27,14 @@ impl Progress {
         self.line.set_message(text.into());
     }
 
+    /// Says something that may take minutes, so also where there is no terminal to show a line that changes.
+    pub(crate) fn announce(&self, text: &str) {
+        if self.line.is_hidden() {
+            eprintln!("mintime: {text}");
+        }
+        self.say(text);
+    }
+
     pub(crate) fn finish(&self) {
         self.line.finish_and_clear();
     }

@@ -77,7 +77,7 @@ pub(crate) fn log(mission: &Mission, flown: &Flown, mut events: Vec<LogEvent>) -
             mintime_version: env!("CARGO_PKG_VERSION").to_owned(),
             seed: mission.seed,
             plant: mission.plant.name.clone(),
-            vehicle: "hosted".to_owned(),
+            vehicle: flown.vehicle.to_owned(),
             from: table.start.cast(),
             to: table.end.cast(),
             duration_s: f64::from(table.duration_s()),

@@ -20,7 +20,8 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
             "verified": flown.prepared.solution.as_ref().is_some_and(|s| s.certificate.verified),
         },
         "vehicle": {
-            "kind": "hosted",
+            "kind": flown.vehicle,
+            "image_sha256": flown.emulated.as_ref().map(|e| &e.image_sha256),
             "firmware_version": identity.map(|i| version(i.firmware_version)),
             "protocol_version": PROTOCOL,
         },
@@ -32,6 +33,12 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
             "flown_duration_s": flight.map_or(0.0, |r| r.flown_duration_s),
             "start_error": flown.start_error(),
             "final_error": flown.final_error(),
+            "real_time_factor": flown.emulated.as_ref().map(|e| e.real_time_factor),
+            "tick_instructions": flown.emulated.as_ref().map(|e| e.board.tick_instructions),
+            "latency_us": flown.emulated.as_ref().map(|e| e.latency_us),
+            "jitter_us": flown.emulated.as_ref().map(|e| e.jitter_us),
+            "load": flown.emulated.as_ref().map(|e| e.board.load),
+            "firmware_bugs": flown.emulated.as_ref().map(|e| &e.board.bugs),
         },
         "virtual_time_s": flown.virtual_time_s,
         "wall_time_s": flown.wall_time_s,
@@ -77,8 +84,13 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
     match &flown.flight {
         Ok(r) => {
             lines.push(format!(
-                "vehicle    hosted, firmware {}, protocol {PROTOCOL}",
-                version(r.identity.firmware_version)
+                "vehicle    {}, firmware {}, protocol {PROTOCOL}{}",
+                match flown.vehicle {
+                    "virtual" => "virtual: the firmware image on an emulated flight controller",
+                    other => other,
+                },
+                version(r.identity.firmware_version),
+                flown.emulated.as_ref().map(|e| format!(", image {}", &e.image_sha256[..12])).unwrap_or_default(),
             ));
             lines.push(format!(
                 "flight     {}: {:.4} s flown, {} ticks, {} missed{}",
@@ -93,6 +105,15 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
     }
     lines.extend(flown.start_error().map(|e| format!("start      {}", error_line(&e))));
     lines.extend(flown.final_error().map(|e| format!("end error  {}", error_line(&e))));
+    if let Some(e) = &flown.emulated {
+        let ([a, b], [c, d]) = (e.latency_us, e.jitter_us);
+        lines.push(format!(
+            "emulated   gyro to motors {a:.1} to {b:.1} µs, jitter {c:.1} to {d:.1} µs, {:.0} instructions a tick, load {:.1} %",
+            e.board.tick_instructions,
+            100.0 * e.board.load,
+        ));
+        lines.extend(e.board.bugs.iter().map(|bug| format!("bug        {bug}")));
+    }
     lines.push(format!("time       {:.1} s of flight in {:.2} s", flown.virtual_time_s, flown.wall_time_s));
     lines.extend(files.iter().map(|f| format!("wrote      {}", f.display())));
     lines.join("\n")

@@ -60,6 +60,9 @@ pub enum ConnectionError {
     /// Motion capture repeats itself.
     #[error("motion capture repeats one pose: the cameras' server has stopped tracking, restart it")]
     FrozenPose,
+    /// The virtual board came to a halt.
+    #[error("the virtual board has stopped: {0}")]
+    Board(String),
     /// The serial line failed.
     #[error("the serial line failed: {0}")]
     Line(#[from] std::io::Error),

@@ -10,13 +10,17 @@ mod estimator;
 mod hosted;
 mod outcome;
 mod position_control;
+mod virtual_board;
+mod world;
 
 pub use client::{Client, ClientError};
 pub use connection::{Connection, ConnectionError, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
-pub use hosted::{HostedVehicle, Trace};
+pub use hosted::HostedVehicle;
 pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Witness};
 pub use position_control::{Reference, control};
+pub use virtual_board::{BoardReport, VirtualBoardError, VirtualVehicle};
+pub use world::{Scene, Trace};
 
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
