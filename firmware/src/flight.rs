@@ -175,7 +175,6 @@ impl<M: RecordMemory> FlightLogic<M> {
         let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint);
         self.record(now_us, &output);
-        self.telemeter(now_us, outbox);
         output
     }
 
@@ -356,10 +355,12 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.recorder.push(now_us, tick);
     }
 
-    fn telemeter(&mut self, now_us: u64, outbox: &mut Outbox) {
-        if now_us < self.next_telemetry_us {
+    /// Says how the vehicle is when it is time to. Once a tick, after the motors have their command: it would delay one
+    /// tick in sixteen.
+    pub fn telemeter(&mut self, outbox: &mut Outbox) {
+        let Some(now_us) = self.last_us.filter(|now| *now >= self.next_telemetry_us) else {
             return;
-        }
+        };
         self.next_telemetry_us = now_us.saturating_add(TELEMETRY_US);
         // A full outbox means a slow link: the next one will do.
         let _ = outbox.push_back(Message::Telemetry(self.telemetry()));

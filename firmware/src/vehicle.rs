@@ -38,8 +38,9 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.tick(input, &mut self.inbox, &mut self.outbox)
     }
 
-    /// Fills `out` with bytes for the serial line and returns how many.
+    /// Fills `out` with bytes for the serial line and returns how many. After each tick.
     pub fn transmit(&mut self, out: &mut [u8]) -> usize {
+        self.logic.telemeter(&mut self.outbox);
         self.link.transmit(&mut self.outbox, out)
     }
 

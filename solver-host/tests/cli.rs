@@ -47,7 +47,7 @@ fn fly_json_has_the_fields_of_the_interface() {
     assert_eq!(at("/maneuver/verified"), true);
     assert_eq!(at("/vehicle/kind"), "hosted");
     assert_eq!(at("/vehicle/firmware_version"), env!("CARGO_PKG_VERSION"));
-    assert_eq!(at("/vehicle/protocol_version"), 1);
+    assert_eq!(at("/vehicle/protocol_version"), 2);
     assert_eq!(at("/flight/outcome"), "completed");
     assert_eq!(at("/flight/abort_reason"), Value::Null);
     assert!(at("/flight/ticks").as_u64().expect("a count") > 1100);

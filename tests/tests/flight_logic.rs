@@ -138,6 +138,7 @@ impl Bench {
         let mut outbox = Outbox::new();
         let input = TickInput { now_us: self.now_us, imu, battery_v: self.battery_v, kill: self.kill };
         self.out = self.logic.tick(&input, &mut inbox, &mut outbox);
+        self.logic.telemeter(&mut outbox);
         assert!(inbox.is_empty());
         check_throttles(&self.out, self.logic.state());
         self.ticks += 1;
@@ -1279,6 +1280,7 @@ fn live(moments: &[Moment]) -> (Vec<FlightState>, String) {
             kill: moment.kill,
         };
         let out = logic.tick(&input, &mut inbox, &mut outbox);
+        logic.telemeter(&mut outbox);
         check_throttles(&out, logic.state());
         states.push(logic.state());
         story += &format!("{out:?}");

@@ -70,7 +70,7 @@ pub(super) async fn set_up(parts: GyroParts) {
         outcome = configure(&mut spi).await;
         match outcome {
             Ok(_) => break,
-            Err(fault) => defmt::warn!("gyro: {}", defmt::Debug2Format(&fault)),
+            Err(fault) => log(fault),
         }
     }
     match outcome {
@@ -80,10 +80,22 @@ pub(super) async fn set_up(parts: GyroParts) {
             tick_source::enable_edge(edge);
         }
         Err(fault) => {
-            defmt::error!("no gyro: {}", defmt::Debug2Format(&fault));
+            defmt::error!("no gyro; arming is refused");
             OUTCOME.lock(|slot| slot.set(Some(Outcome::Failed(fault))));
         }
     }
+}
+
+/// Says what went wrong. By hand, for the text that people get on the host would bring its formatting with it.
+fn log(fault: GyroFault) {
+    let (what, value) = match fault {
+        GyroFault::Bus => ("bus", 0),
+        GyroFault::Identity(identity) => ("identity", identity),
+        GyroFault::Configuration(status) => ("configuration file, status", status),
+        GyroFault::Register(register) => ("register", register),
+        GyroFault::Chip(error) => ("its own error", error),
+    };
+    defmt::warn!("gyro not set up: {=str} {=u8:#04x}", what, value);
 }
 
 /// One try, from whatever state the chip is in.

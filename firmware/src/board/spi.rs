@@ -106,7 +106,7 @@ impl Spi {
                     send(0);
                 }
             }
-            if SPI1.sr().read().ovr() { Err(BusError) } else { Ok(bytes) }
+            Ok(bytes)
         })
     }
 
@@ -139,9 +139,14 @@ fn receive() -> u8 {
     SPI1.dr().read().dr() as u8
 }
 
+/// Waits, and fails at once where a byte was lost: reading the status after the data clears that flag.
 fn wait(ready: impl Fn(&Sr) -> bool) -> Result<(), BusError> {
     for _ in 0..POLLS {
-        if ready(&SPI1.sr().read()) {
+        let status = SPI1.sr().read();
+        if status.ovr() {
+            return Err(BusError);
+        }
+        if ready(&status) {
             return Ok(());
         }
     }
