@@ -1,7 +1,7 @@
+use emulator::Machine;
 use emulator::boards::SpeedyBeeF405V3;
 use emulator::chip::Chip;
 use emulator::core::Timing;
-use emulator::Machine;
 fn main() {
     let path = std::env::args().nth(1).unwrap();
     let seconds: f64 = std::env::args().nth(2).map_or(1.0, |s| s.parse().unwrap());
@@ -18,14 +18,25 @@ fn main() {
         loop {
             let now = machine.time();
             let limit = machine.peripherals.clock().cycle(ns);
-            if limit <= now { break; }
+            if limit <= now {
+                break;
+            }
             let stop = machine.run_until(limit);
-            if stop != emulator::Stop::ReachedTime { println!("{ns} {stop}"); return; }
+            if stop != emulator::Stop::ReachedTime {
+                println!("{ns} {stop}");
+                return;
+            }
         }
         let bugs = &machine.memory.bugs;
-        for b in &bugs[last..] { println!("BUG at {} pc {:#x}: {}", b.at, b.pc, b.what); }
+        for b in &bugs[last..] {
+            println!("BUG at {} pc {:#x}: {}", b.at, b.pc, b.what);
+        }
         last = bugs.len();
-        for b in machine.peripherals.link_take() { if ns < 300_000_000 {print!("{:02x}", b.byte); }}
+        for b in machine.peripherals.link_take() {
+            if ns < 300_000_000 {
+                print!("{:02x}", b.byte);
+            }
+        }
     }
     println!();
     println!("{:?} fault {:?}", machine.core.counters, machine.last_fault);

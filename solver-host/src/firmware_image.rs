@@ -68,9 +68,8 @@ impl FirmwareImage {
     pub fn read(path: &Path) -> Result<Self, FirmwareImageError> {
         let elf = std::fs::read(path)
             .map_err(|source| FirmwareImageError::Read { path: path.to_owned(), source })?;
-        let content = emulator::machine::flash_content(&elf).map_err(|error| FirmwareImageError::Content {
-            path: path.to_owned(),
-            reason: error.to_string(),
+        let content = emulator::machine::flash_content(&elf).map_err(|error| {
+            FirmwareImageError::Content { path: path.to_owned(), reason: error.to_string() }
         })?;
         Ok(Self { elf, content, path: path.to_owned() })
     }
@@ -97,7 +96,17 @@ impl FirmwareImage {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .current_dir(root)
-            .args(["build", "--release", "--quiet", "--package", PACKAGE, "--bin", PACKAGE, "--target", TARGET])
+            .args([
+                "build",
+                "--release",
+                "--quiet",
+                "--package",
+                PACKAGE,
+                "--bin",
+                PACKAGE,
+                "--target",
+                TARGET,
+            ])
             .arg("--target-dir")
             .arg(&folder)
             // Flags for the host are none for the board.
@@ -154,14 +163,13 @@ fn install_target(root: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Firmware
         return Ok(());
     }
     say(&format!("installing the compiler's target {TARGET}"));
-    let output =
-        Command::new("rustup").current_dir(root).args(["target", "add", TARGET]).output().map_err(|source| {
-            FirmwareImageError::Tool {
-                tool: "rustup",
-                source,
-                advice: "install the target thumbv7em-none-eabihf for your Rust by hand",
-            }
-        })?;
+    let output = Command::new("rustup").current_dir(root).args(["target", "add", TARGET]).output().map_err(
+        |source| FirmwareImageError::Tool {
+            tool: "rustup",
+            source,
+            advice: "install the target thumbv7em-none-eabihf for your Rust by hand",
+        },
+    )?;
     if output.status.success() {
         Ok(())
     } else {

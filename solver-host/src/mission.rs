@@ -3,19 +3,19 @@
 use std::path::Path;
 use std::time::Instant;
 
+use emulator::core::Timing;
 use mintime_firmware::config::VehicleConfig;
 use mintime_shared::messages::PROTOCOL_VERSION;
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 use mintime_simulator::{Model, ParameterError, SimulatorError, Truth, VehicleParameters};
-use emulator::core::Timing;
 use nalgebra::Vector3;
 
 use crate::firmware_image::FirmwareImage;
 use crate::flight::{
-    BoardReport, FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Phase, Scene, Trace, VirtualBoardError,
-    VirtualVehicle, Witness, fly,
+    BoardReport, FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Phase, Scene, Trace,
+    VirtualBoardError, VirtualVehicle, Witness, fly,
 };
 use crate::pack::{PackError, pack};
 use crate::solver::{Request, Solution, SolveError, Turns, solve};

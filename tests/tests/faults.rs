@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use mintime::flight::{
     Client, ClientError, Connection, ConnectionError, FlightError, FlightPlan, FlightResult, HostedVehicle,
-    Outcome, Phase, Pose, Trace, Witness, fly,
+    Outcome, Phase, Pose, Scene, Trace, Witness, fly,
 };
 use mintime::flight_log::FlightSample;
 use mintime_shared::framing::encode;
@@ -39,7 +39,11 @@ fn plan_of(table: ManeuverTable) -> FlightPlan {
 
 fn hosted(parameters: &VehicleParameters, seed: u64, table: &ManeuverTable) -> HostedVehicle {
     let (heading, duration) = (f64::from(table.heading_rad), f64::from(table.duration_s()));
-    HostedVehicle::new(parameters, seed, GROUND_M, heading, duration).expect("sound parameters")
+    HostedVehicle::new(&scene(parameters, seed, heading, duration)).expect("sound parameters")
+}
+
+fn scene(parameters: &VehicleParameters, seed: u64, heading_rad: f64, maneuver_s: f64) -> Scene<'_> {
+    Scene { parameters, seed, ground_z_m: GROUND_M, heading_rad, maneuver_s }
 }
 
 /// Bytes that go wrong on the line, by a small generator of its own (xorshift), so that a seed repeats itself.
@@ -430,8 +434,7 @@ struct ByHand {
 
 impl ByHand {
     fn new(parameters: &VehicleParameters, heading_rad: f64) -> Self {
-        let vehicle =
-            HostedVehicle::new(parameters, 5, GROUND_M, heading_rad, 1.0).expect("sound parameters");
+        let vehicle = HostedVehicle::new(&scene(parameters, 5, heading_rad, 1.0)).expect("sound parameters");
         Self { vehicle, client: Client::default(), now_s: 0.0 }
     }
 

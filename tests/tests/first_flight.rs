@@ -1,7 +1,9 @@
 //! Whole flights through real frames: solved, packed, uploaded, flown, caught, landed, and compared with truth.
 
 use mintime::flight::{Outcome, Phase, Witness};
-use mintime::mission::{Flown, Mission, PlanarError, PlantChoice, Room, Source, fly_hosted, prepare};
+use mintime::mission::{
+    Flown, Mission, PlanarError, PlantChoice, Room, Source, VehicleChoice, fly_mission, prepare,
+};
 use mintime::solver::Turns;
 use mintime_shared::model::{Limits, State};
 
@@ -27,7 +29,7 @@ fn mission(x: f64, z: f64, plant: &str, seed: u64) -> Mission {
 
 fn flown(mission: &Mission) -> Flown {
     let prepared = prepare(&mission.source, mission.room.as_ref()).expect("a maneuver");
-    fly_hosted(mission, prepared, &mut Phases::default()).expect("a simulation")
+    fly_mission(mission, prepared, &VehicleChoice::Hosted, &mut Phases::default()).expect("a simulation")
 }
 
 #[test]
@@ -40,7 +42,7 @@ fn five_five_is_flown_end_to_end() {
     assert!(prepared.bytes.len() <= 128);
 
     let mut phases = Phases::default();
-    let flown = fly_hosted(&mission, prepared, &mut phases).expect("a simulation");
+    let flown = fly_mission(&mission, prepared, &VehicleChoice::Hosted, &mut phases).expect("a simulation");
     let result = flown.flight.as_ref().expect("a flight");
     assert_eq!(result.outcome, Outcome::Completed, "{:?}", result.reason);
     use Phase::{Catch, Download, Hover, Land, Maneuver, Prepare, TakeOff};

@@ -85,7 +85,8 @@ impl<P: Peripherals> Machine<P> {
         };
         let (buffer, size) = (word(channel + 4)?, word(channel + 8)?);
         let (write, read) = (word(channel + 12)?, word(channel + 16)?);
-        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size {
+        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size
+        {
             return None;
         }
         let mut bytes = Vec::new();
@@ -106,7 +107,8 @@ pub fn symbol_address(elf: &[u8], name: &str) -> Option<u32> {
     let endian = header.endian().ok()?;
     let sections = header.sections(endian, elf).ok()?;
     let table = sections.symbols(endian, elf, object::elf::SHT_SYMTAB).ok()?;
-    let symbol = table.iter().find(|s| s.name(endian, table.strings()).is_ok_and(|n| n == name.as_bytes()))?;
+    let symbol =
+        table.iter().find(|s| s.name(endian, table.strings()).is_ok_and(|n| n == name.as_bytes()))?;
     Some(symbol.st_value(endian))
 }
 

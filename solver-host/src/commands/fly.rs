@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use mintime::flight_log::{check_writable, write_mcap};
 use mintime::firmware_image::FirmwareImage;
+use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
@@ -106,7 +106,10 @@ impl Fly {
         Ok(match (self.vehicle, &self.firmware) {
             (VehicleKind::Hosted, None) => VehicleChoice::Hosted,
             (VehicleKind::Hosted, Some(_)) => {
-                return Err("the hosted vehicle runs no image: leave out --firmware, or fly with --vehicle virtual".into());
+                return Err(
+                    "the hosted vehicle runs no image: leave out --firmware, or fly with --vehicle virtual"
+                        .into(),
+                );
             }
             (VehicleKind::Virtual, Some(path)) => VehicleChoice::Virtual(FirmwareImage::read(path)?),
             (VehicleKind::Virtual, None) => {

@@ -90,7 +90,11 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
                     other => other,
                 },
                 version(r.identity.firmware_version),
-                flown.emulated.as_ref().map(|e| format!(", image {}", &e.image_sha256[..12])).unwrap_or_default(),
+                flown
+                    .emulated
+                    .as_ref()
+                    .map(|e| format!(", image {}", &e.image_sha256[..12]))
+                    .unwrap_or_default(),
             ));
             lines.push(format!(
                 "flight     {}: {:.4} s flown, {} ticks, {} missed{}",

@@ -32,7 +32,9 @@ pub enum VirtualBoardError {
     #[error("the firmware image cannot be loaded: {0}")]
     Image(#[from] emulator::machine::ImageError),
     /// A program, but not this firmware.
-    #[error("the firmware image has no symbol `{WATCH_SYMBOL}`: build it with `cargo firmware` and do not strip it")]
+    #[error(
+        "the firmware image has no symbol `{WATCH_SYMBOL}`: build it with `cargo firmware` and do not strip it"
+    )]
     Foreign,
 }
 
