@@ -97,11 +97,7 @@ impl SpeedyBeeF405V3 {
     pub fn motors(&self, ns: u64) -> [MotorSignal; 4] {
         std::array::from_fn(|n| {
             let esc = &self.escs[n];
-            MotorSignal {
-                armed: esc.armed(ns),
-                throttle: esc.throttle(ns),
-                last_bit_ns: esc.last_frame_ns(),
-            }
+            MotorSignal { armed: esc.armed(ns), throttle: esc.throttle(ns), last_bit_ns: esc.last_frame_ns() }
         })
     }
 

@@ -200,7 +200,9 @@ impl<B: Board> Chip<B> {
         match block {
             Block::Timer(n) => self.refresh_timer(n),
             Block::Wwdg => self.set_line(0, self.wwdg.interrupt()),
-            Block::Spi(n) => self.set_line(map::SPI_IRQS[usize::from(n)], self.spis[usize::from(n)].interrupt()),
+            Block::Spi(n) => {
+                self.set_line(map::SPI_IRQS[usize::from(n)], self.spis[usize::from(n)].interrupt());
+            }
             Block::Usart(n) => {
                 self.set_line(map::USART_IRQS[usize::from(n)], self.usarts[usize::from(n)].interrupt());
             }
@@ -315,7 +317,11 @@ impl<B: Board> Chip<B> {
             0x304 => {
                 self.adc_common = value & 0x00C3_EF1F;
                 if value & 0x1F != 0 {
-                    report(memory, access, Some("ADC_CCR.MULTI joins converters, which is not emulated".into()));
+                    report(
+                        memory,
+                        access,
+                        Some("ADC_CCR.MULTI joins converters, which is not emulated".into()),
+                    );
                 }
             }
             0x300 | 0x308.. => {}

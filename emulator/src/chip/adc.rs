@@ -66,7 +66,8 @@ impl Adc {
     pub(crate) fn conversion_cycles(&self) -> u32 {
         const SAMPLING: [u32; 8] = [3, 15, 28, 56, 84, 112, 144, 480];
         let channel = u32::from(self.channel());
-        let bits = if channel >= 10 { self.smpr[0] >> (3 * (channel - 10)) } else { self.smpr[1] >> (3 * channel) };
+        let bits =
+            if channel >= 10 { self.smpr[0] >> (3 * (channel - 10)) } else { self.smpr[1] >> (3 * channel) };
         let resolution = 12 - 2 * (self.cr1 >> 24 & 3);
         SAMPLING[(bits & 7) as usize] + resolution
     }
@@ -88,7 +89,13 @@ impl Adc {
         }
     }
 
-    pub(crate) fn write(&mut self, offset: u32, value: u32, now: Cycle, settled: impl Fn(Cycle) -> bool) -> Done {
+    pub(crate) fn write(
+        &mut self,
+        offset: u32,
+        value: u32,
+        now: Cycle,
+        settled: impl Fn(Cycle) -> bool,
+    ) -> Done {
         let mut done = Done::default();
         match offset {
             0x00 => self.sr &= value,
@@ -102,7 +109,9 @@ impl Adc {
                     self.dma_request = false;
                 }
                 if value & 0x3030_0000 != 0 || value & 1 << 22 != 0 {
-                    done.bug = Some("is set to an external trigger or an injected conversion, which is not emulated");
+                    done.bug = Some(
+                        "is set to an external trigger or an injected conversion, which is not emulated",
+                    );
                 }
                 if self.cr2 & CR2_ADON == 0 {
                     done.stop = std::mem::take(&mut self.converting);

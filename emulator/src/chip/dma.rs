@@ -165,15 +165,15 @@ impl Stream {
 
 impl Dma {
     pub(crate) fn new() -> Self {
-        Self {
-            streams: std::array::from_fn(|_| Stream { fcr: 0x21, ..Stream::default() }),
-            on: 0,
-        }
+        Self { streams: std::array::from_fn(|_| Stream { fcr: 0x21, ..Stream::default() }), on: 0 }
     }
 
     /// The levels of the streams' interrupt lines, as bits.
     pub(crate) fn interrupts(&self) -> u8 {
-        self.streams.iter().enumerate().fold(0, |lines, (n, stream)| lines | u8::from(stream.interrupt()) << n)
+        self.streams
+            .iter()
+            .enumerate()
+            .fold(0, |lines, (n, stream)| lines | u8::from(stream.interrupt()) << n)
     }
 
     /// Brings [`Self::on`] up to date.
@@ -260,10 +260,12 @@ impl Stream {
                 self.cr = value & 0x0FEF_FFFF;
                 if !on && value & CR_EN != 0 {
                     if self.flags & (TCIF | HTIF | TEIF) != 0 {
-                        done.bug = Some("a DMA stream is switched on with flags of its last transfer still set");
+                        done.bug =
+                            Some("a DMA stream is switched on with flags of its last transfer still set");
                     }
                     if value & CR_PFCTRL != 0 {
-                        done.bug = Some("a DMA stream lets the peripheral control the flow, which is not emulated");
+                        done.bug =
+                            Some("a DMA stream lets the peripheral control the flow, which is not emulated");
                     }
                     if self.left == 0 {
                         // Nothing to do: EN falls at once.

@@ -12,9 +12,7 @@ pub(crate) enum Request {
     TimerChannel(u8, u8),
 }
 
-use Request::{
-    Adc, SpiRx, SpiTx, TimerChannel as Ch, TimerUpdate as Up, UsartRx as Rx, UsartTx as Tx,
-};
+use Request::{Adc, SpiRx, SpiTx, TimerChannel as Ch, TimerUpdate as Up, UsartRx as Rx, UsartTx as Tx};
 
 type Requests = &'static [Request];
 const NONE: Requests = &[];
@@ -30,16 +28,7 @@ const DMA1: [[Requests; 8]; 8] = [
     [&[SpiRx(2)], NONE, &[SpiRx(2)], &[SpiRx(1)], &[SpiTx(1)], &[SpiTx(2)], NONE, &[SpiTx(2)]],
     [NONE, NONE, &[Up(6)], NONE, &[Up(6)], NONE, NONE, NONE],
     [&[Ch(3, 0)], NONE, NONE, &[Ch(3, 1)], NONE, NONE, &[Up(3)], &[Ch(3, 2)]],
-    [
-        NONE,
-        &[Up(1), Ch(1, 2)],
-        NONE,
-        NONE,
-        NONE,
-        &[Ch(1, 0)],
-        &[Ch(1, 1), Ch(1, 3)],
-        &[Up(1), Ch(1, 3)],
-    ],
+    [NONE, &[Up(1), Ch(1, 2)], NONE, NONE, NONE, &[Ch(1, 0)], &[Ch(1, 1), Ch(1, 3)], &[Up(1), Ch(1, 3)]],
     [&[Rx(4)], &[Rx(2)], &[Rx(3)], &[Tx(2)], &[Tx(3)], &[Rx(1)], &[Tx(1)], &[Tx(4)]],
     [NONE, NONE, &[Ch(2, 3), Up(2)], NONE, &[Ch(2, 0)], &[Ch(2, 1)], NONE, &[Ch(2, 2)]],
     [&[Ch(4, 2), Up(4)], &[Ch(4, 3)], &[Ch(4, 0)], &[Ch(4, 3)], &[Ch(4, 1)], NONE, &[Up(4)], NONE],

@@ -245,7 +245,10 @@ impl Flash {
         }
         let width = self.cr >> 8 & 3;
         let (range, busy_ns) = if self.cr & CR_MER != 0 {
-            (Erase { offset: 0, bytes: crate::memory::FLASH_BYTES }, self.erase_ns(crate::memory::FLASH_BYTES, width))
+            (
+                Erase { offset: 0, bytes: crate::memory::FLASH_BYTES },
+                self.erase_ns(crate::memory::FLASH_BYTES, width),
+            )
         } else if self.cr & CR_SER != 0 {
             let Some(range) = sector(self.cr >> 3 & 0xF) else {
                 self.fail(SR_PGSERR);

@@ -91,7 +91,8 @@ impl Gpio {
 
     /// Number of the alternate function of a pin that is set to one.
     pub(crate) fn function(&self, number: usize) -> Option<u8> {
-        (self.mode(number) == Mode::Alternate).then(|| (self.afr[number / 8] >> (4 * (number % 8)) & 15) as u8)
+        (self.mode(number) == Mode::Alternate)
+            .then(|| (self.afr[number / 8] >> (4 * (number % 8)) & 15) as u8)
     }
 
     /// What the pin drives as a plain output: none while it floats or is not an output.
@@ -148,7 +149,8 @@ impl Gpio {
             0x1C => self.write_lock(value),
             0x20 | 0x24 => {
                 let half = (offset as usize - 0x20) / 4;
-                let keep = (0..8).filter(|n| locked >> (8 * half + n) & 1 == 1).fold(0, |m, n| m | 15 << (4 * n));
+                let keep =
+                    (0..8).filter(|n| locked >> (8 * half + n) & 1 == 1).fold(0, |m, n| m | 15 << (4 * n));
                 self.afr[half] = self.afr[half] & keep | value & !keep;
             }
             _ => {}

@@ -73,7 +73,11 @@ impl<B: Board> Chip<B> {
     pub(super) fn check_adc_clock(&self, memory: &mut Memory, access: Access) {
         let hz = self.clock.apb_hz(super::clock::Apb::Two) / self.adc_prescaler();
         if hz > ADC_LIMIT_HZ {
-            report(memory, access, Some(format!("the ADC clock is {hz} Hz, above its limit of {ADC_LIMIT_HZ} Hz")));
+            report(
+                memory,
+                access,
+                Some(format!("the ADC clock is {hz} Hz, above its limit of {ADC_LIMIT_HZ} Hz")),
+            );
         }
     }
 
@@ -164,7 +168,11 @@ impl<B: Board> Chip<B> {
             _ => match analog_pin(channel) {
                 Some(pin) => {
                     if self.gpio[pin.port()].mode(pin.number()) != Mode::Analog {
-                        memory.report(at, 0, format!("ADC{} converts {pin}, which is not set to analog", n + 1));
+                        memory.report(
+                            at,
+                            0,
+                            format!("ADC{} converts {pin}, which is not set to analog", n + 1),
+                        );
                     }
                     let ns = self.clock.ns(at);
                     self.tell_board(memory, at, |board, _| board.analog_v(ns, pin))

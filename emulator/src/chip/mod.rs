@@ -153,7 +153,11 @@ impl<B: Board> Peripherals for Chip<B> {
             }
             Place::FlashMemory(offset) => {
                 let at = offset as usize;
-                Ok(memory.flash[at..].iter().take(bytes(access.width)).rev().fold(0, |w, &b| w << 8 | u32::from(b)))
+                Ok(memory.flash[at..]
+                    .iter()
+                    .take(bytes(access.width))
+                    .rev()
+                    .fold(0, |w, &b| w << 8 | u32::from(b)))
             }
             Place::Absent => Err(AccessError::NotEmulated(access.address)),
             Place::Nothing => Err(AccessError::Nothing(access.address)),
@@ -170,7 +174,8 @@ impl<B: Board> Peripherals for Chip<B> {
             }
             Place::FlashMemory(offset) => {
                 let width = bytes(access.width);
-                let done = self.flash.program(memory, offset & !(width as u32 - 1), &value.to_le_bytes()[..width]);
+                let done =
+                    self.flash.program(memory, offset & !(width as u32 - 1), &value.to_le_bytes()[..width]);
                 self.flash_done(memory, access, done);
                 Ok(())
             }

@@ -172,7 +172,11 @@ mod tests {
         for byte in [0x00, 0x55, 0x81, 0xFF] {
             for ratio in [0.98, 1.0, 1.0016, 1.02] {
                 let frame = receive(byte, ratio);
-                assert_eq!((frame.word, frame.framing, frame.noise), (u16::from(byte), false, false), "{ratio}");
+                assert_eq!(
+                    (frame.word, frame.framing, frame.noise),
+                    (u16::from(byte), false, false),
+                    "{ratio}"
+                );
             }
             assert!(receive(byte, 1.03).framing);
         }

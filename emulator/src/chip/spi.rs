@@ -147,7 +147,8 @@ impl Spi {
                         // RM0090 section 28.3.10: a master that is selected gives up.
                         self.mode_fault = true;
                         self.cr1 &= !(CR1_SPE | CR1_MSTR);
-                        bug = Some("is a master with SSM set and SSI clear: it faults and switches itself off");
+                        bug =
+                            Some("is a master with SSM set and SSI clear: it faults and switches itself off");
                     }
                 }
                 (self.load(), bug)
@@ -161,7 +162,10 @@ impl Spi {
                 let lost = self.waiting.is_some();
                 let value = if self.bits() == 8 { value & 0xFF } else { value & 0xFFFF };
                 self.waiting = Some(value as u16);
-                (self.load(), lost.then_some("is given a word while the one before still waits (TXE is clear)"))
+                (
+                    self.load(),
+                    lost.then_some("is given a word while the one before still waits (TXE is clear)"),
+                )
             }
             0x10 => {
                 self.crc_polynomial = value & 0xFFFF;

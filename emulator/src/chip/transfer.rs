@@ -41,7 +41,11 @@ impl<B: Board> Chip<B> {
                 self.timer_changed(n);
             }
         }
-        memory.report(at, 0, "a DMA request is served without end: the stream does not reach who asks".into());
+        memory.report(
+            at,
+            0,
+            "a DMA request is served without end: the stream does not reach who asks".into(),
+        );
     }
 
     /// A stream has been switched on.
@@ -63,8 +67,11 @@ impl<B: Board> Chip<B> {
                 self.events.set(Slot::MemoryCopy(stream as u8), end);
             }
         } else if requests(controller, stream, state.channel()).is_empty() {
-            let text =
-                format!("no peripheral asks on DMA{} stream {stream} channel {}", controller + 1, state.channel());
+            let text = format!(
+                "no peripheral asks on DMA{} stream {stream} channel {}",
+                controller + 1,
+                state.channel()
+            );
             report(memory, access, Some(text));
         }
     }
@@ -134,9 +141,15 @@ impl<B: Board> Chip<B> {
             self.dma[controller].streams[stream].fail(TEIF);
             let who = format!("DMA{} stream {stream}", controller + 1);
             let text = match fault {
-                Fault::Ccm => format!("{who} is pointed at core-coupled memory ({address:#010x}): it cannot reach it"),
-                Fault::Dma1Port => format!("{who} is pointed at {address:#010x}: DMA1 reaches peripherals on APB1 only"),
-                Fault::Nothing => format!("{who} is pointed at {address:#010x}, where nothing lies that is emulated"),
+                Fault::Ccm => {
+                    format!("{who} is pointed at core-coupled memory ({address:#010x}): it cannot reach it")
+                }
+                Fault::Dma1Port => {
+                    format!("{who} is pointed at {address:#010x}: DMA1 reaches peripherals on APB1 only")
+                }
+                Fault::Nothing => {
+                    format!("{who} is pointed at {address:#010x}, where nothing lies that is emulated")
+                }
             };
             memory.report(at, 0, text);
         }
@@ -251,13 +264,20 @@ impl<B: Board> Chip<B> {
         check_port(controller, address, peripheral_port)?;
         if (SRAM_BASE..SRAM_BASE + SRAM_BYTES).contains(&address) {
             let start = (address - SRAM_BASE) as usize;
-            for (cell, byte) in memory.sram[start..].iter_mut().zip(value.to_le_bytes()).take(width as usize) {
+            for (cell, byte) in memory.sram[start..].iter_mut().zip(value.to_le_bytes()).take(width as usize)
+            {
                 *cell = byte;
             }
             return Ok(());
         }
         let Place::Block(block, offset) = place(address) else { return Err((Fault::Nothing, address)) };
-        self.write_block(memory, block, offset, Access { at, address, width: access_width(width), pc: 0 }, value);
+        self.write_block(
+            memory,
+            block,
+            offset,
+            Access { at, address, width: access_width(width), pc: 0 },
+            value,
+        );
         Ok(())
     }
 }

@@ -47,7 +47,8 @@ impl Iwdg {
             0x04 => self.pending.map_or(self.prescaler, |(prescaler, ..)| prescaler),
             0x08 => self.pending.map_or(self.reload, |(_, reload, _)| reload),
             0x0C => {
-                let changed = |new: fn(&(u32, u32, u64)) -> u32, old| self.pending.as_ref().map_or(old, new) != old;
+                let changed =
+                    |new: fn(&(u32, u32, u64)) -> u32, old| self.pending.as_ref().map_or(old, new) != old;
                 u32::from(pending && changed(|p| p.0, self.prescaler))
                     | u32::from(pending && changed(|p| p.1, self.reload)) << 1
             }

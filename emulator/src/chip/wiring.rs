@@ -187,7 +187,14 @@ impl<B: Board> Chip<B> {
     }
 
     /// An SPI may have begun a word.
-    pub(super) fn spi_changed(&mut self, memory: &mut Memory, n: u8, at: Cycle, access: Access, started: bool) {
+    pub(super) fn spi_changed(
+        &mut self,
+        memory: &mut Memory,
+        n: u8,
+        at: Cycle,
+        access: Access,
+        started: bool,
+    ) {
         let index = usize::from(n);
         if started {
             let divider = self.clock.apb_divider(map::spi_bus(n));

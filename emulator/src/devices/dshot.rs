@@ -166,7 +166,11 @@ impl DshotEsc {
         self.rate = 1e9 / pulse.period_ns.max(1.0);
         let off = RATES.iter().map(|rate| (self.rate / rate - 1.0).abs()).fold(f64::MAX, f64::min);
         if off > RATE_TOLERANCE {
-            let text = format!("{}: DShot bits come at {:.1} kbit/s, which is no rate of DShot", self.name, self.rate / 1e3);
+            let text = format!(
+                "{}: DShot bits come at {:.1} kbit/s, which is no rate of DShot",
+                self.name,
+                self.rate / 1e3
+            );
             self.tell(TOLD_RATE, text, bugs);
         }
         let share = pulse.high_ns / pulse.period_ns.max(1.0);

@@ -167,8 +167,12 @@ impl Bmi270 {
             return 0xFFFF;
         }
         if !self.spi {
-            if position >= 2 || !self.reading {
-                self.tell(TOLD_I2C, "BMI270: is used before a rising edge of chip select chose SPI".into(), bugs);
+            if !self.reading {
+                self.tell(
+                    TOLD_I2C,
+                    "BMI270: is written before a rising edge of chip select chose SPI".into(),
+                    bugs,
+                );
             }
             return 0xFFFF;
         }
@@ -324,7 +328,10 @@ impl Bmi270 {
         let blank = self.config.iter().all(|&byte| byte == 0);
         let passes = self.config_bytes == CONFIG_BYTES && !blank && !self.power_save();
         if !passes {
-            let text = format!("BMI270: {} bytes of configuration are loaded instead of {CONFIG_BYTES}", self.config_bytes);
+            let text = format!(
+                "BMI270: {} bytes of configuration are loaded instead of {CONFIG_BYTES}",
+                self.config_bytes
+            );
             self.tell(TOLD_UPLOAD, text, bugs);
         }
         self.init_due = Some((ns + INIT_NS, passes));
@@ -332,7 +339,8 @@ impl Bmi270 {
 
     /// Where INIT_ADDR points: it counts words of two bytes.
     fn init_place(&self) -> usize {
-        let word = usize::from(self.registers[reg::INIT_ADDR_0] & 0xF) | usize::from(self.registers[reg::INIT_ADDR_1]) << 4;
+        let word = usize::from(self.registers[reg::INIT_ADDR_0] & 0xF)
+            | usize::from(self.registers[reg::INIT_ADDR_1]) << 4;
         2 * word
     }
 

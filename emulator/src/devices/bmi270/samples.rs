@@ -103,7 +103,8 @@ impl Bmi270 {
         if let (true, Some(last), Some(rate)) = (gyro, last, self.gyro_rate_hz()) {
             let period_ns = ns.saturating_sub(last) as f64;
             if !(0.8..1.25).contains(&(period_ns * rate / 1e9)) {
-                let text = format!("BMI270: samples come every {period_ns} ns while GYR_CONF asks for {rate} Hz");
+                let text =
+                    format!("BMI270: samples come every {period_ns} ns while GYR_CONF asks for {rate} Hz");
                 self.tell(TOLD_RATE, text, bugs);
             }
         }
