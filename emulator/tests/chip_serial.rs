@@ -23,8 +23,10 @@ fn port() -> Rig<BareBoard> {
     rig.alternate(GPIOA, 10, 7);
     rig.write(BRR, 91);
     rig.write(CR1, UE | 1 << 3 | 1 << 2);
-    // The preamble of the sender.
+    // The preamble of the sender, and the receiver's first idle frame.
     rig.pass(20 * US);
+    assert_eq!(rig.read(SR), 0xD0);
+    rig.read(DR);
     rig
 }
 

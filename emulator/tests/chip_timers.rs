@@ -261,6 +261,53 @@ fn a_request_latched_while_the_stream_is_off_is_served_at_once() {
     rig.stream(DMA1, 6, 2 << 25 | 1 << 13 | 1 << 11 | 1 << 10 | 1 << 6, 72, TIM4 + 0x4C, BUFFER);
     rig.start_stream(DMA1, 6);
     assert_eq!(rig.stream_left(DMA1, 6), 72);
+    // Unless the chip keeps it.
+    rig.chip.set_sticky_timer_requests(true);
+    rig.write(TIM4 + DIER, 1 << 8);
+    rig.write(TIM4 + CR1, 1 << 7 | 1);
+    rig.stream(DMA1, 6, 0, 0, TIM4 + 0x4C, BUFFER);
+    rig.pass(10 * US);
+    rig.write(TIM4 + CR1, 1 << 7);
+    rig.write(TIM4 + DIER, 0);
+    rig.stream(DMA1, 6, 2 << 25 | 1 << 13 | 1 << 11 | 1 << 10 | 1 << 6, 72, TIM4 + 0x4C, BUFFER);
+    rig.start_stream(DMA1, 6);
+    assert_eq!(rig.stream_left(DMA1, 6), 72);
+    rig.write(TIM4 + DIER, 1 << 8);
+    assert_eq!(rig.stream_left(DMA1, 6), 68);
+}
+
+#[test]
+fn a_pin_of_the_same_port_may_change_in_the_middle_of_a_frame() {
+    let mut rig = motors(140);
+    fill(&mut rig, [1047; 4], 140);
+    rig.stream(DMA1, 6, 2 << 25 | 1 << 13 | 1 << 11 | 1 << 10 | 1 << 6, 72, TIM4 + 0x4C, BUFFER);
+    rig.start_stream(DMA1, 6);
+    rig.write(TIM4 + DIER, 1 << 8);
+    rig.write(TIM4 + CR1, 1 << 7 | 1);
+    rig.pass(10 * US);
+    rig.mode(GPIOB, 0, 1);
+    rig.mode(GPIOB, 9, 1);
+    rig.pass(50 * US);
+    let escs = &rig.chip.board().escs;
+    assert_eq!([escs[0].frames, escs[1].frames, escs[2].frames, escs[3].frames], [1, 1, 1, 0]);
+    rig.assert_no_bugs();
+}
+
+#[test]
+fn timers_that_share_an_interrupt_hold_it_together() {
+    const TIM10: u32 = 0x4001_4400;
+    const TIM1: u32 = 0x4001_0000;
+    let mut rig = bare();
+    rig.start_clocks();
+    for timer in [TIM1, TIM10] {
+        rig.write(timer + DIER, 1);
+        rig.write(timer + EGR, 1);
+    }
+    assert!(rig.irq(25));
+    rig.write(TIM1 + SR, 0);
+    assert!(rig.irq(25));
+    rig.write(TIM10 + SR, 0);
+    assert!(!rig.irq(25));
 }
 
 #[test]

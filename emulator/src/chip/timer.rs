@@ -59,6 +59,8 @@ pub(crate) struct Timer {
     pub(super) burst_left: u32,
     /// Place of the next access through DMAR.
     pub(super) burst_index: u32,
+    /// A request outlives its enable bit: the manual does not say.
+    pub(super) sticky_requests: bool,
     /// Requests of the channels left to serve, as bits.
     pub(super) channel_requests: u8,
 }
@@ -120,6 +122,7 @@ impl Timer {
             burst_left: 0,
             burst_index: 0,
             channel_requests: 0,
+            sticky_requests: false,
         }
     }
 
@@ -297,12 +300,14 @@ impl Timer {
     }
 
     /// What the outputs did since the period began, if the period were cut short now.
-    pub(crate) fn cut(&mut self, now: Cycle) -> Option<Period> {
-        if !self.running() || now <= self.period_start {
-            return None;
-        }
-        let start = std::mem::replace(&mut self.period_start, now);
-        Some(Period { start, end: now, high: self.highs(start, now) })
+    pub(crate) fn so_far(&self, now: Cycle) -> Option<Period> {
+        let start = self.period_start;
+        (self.running() && now > start).then(|| Period { start, end: now, high: self.highs(start, now) })
+    }
+
+    /// Ends the output period.
+    pub(crate) fn cut(&mut self, now: Cycle) {
+        self.period_start = now;
     }
 
     /// Whether the output of a channel is on.
