@@ -81,6 +81,8 @@ pub(crate) struct Period {
     pub(crate) start: Cycle,
     /// When it ended.
     pub(crate) end: Cycle,
+    /// It was cut short.
+    pub(crate) cut: bool,
     /// Per channel: when after the start its line rose, and for how long it was high [cycles].
     pub(crate) high: [(u64, u64); 4],
 }
@@ -184,7 +186,8 @@ impl Timer {
                 self.matched(channel);
             }
         }
-        let period = Period { start: self.period_start, end, high: self.highs(self.period_start, end) };
+        let period =
+            Period { start: self.period_start, end, cut: false, high: self.highs(self.period_start, end) };
         (self.origin, self.origin_count, self.checked, self.period_start) = (end, 0, -1, end);
         if overflow {
             self.update(true);
@@ -302,7 +305,12 @@ impl Timer {
     /// What the outputs did since the period began, if the period were cut short now.
     pub(crate) fn so_far(&self, now: Cycle) -> Option<Period> {
         let start = self.period_start;
-        (self.running() && now > start).then(|| Period { start, end: now, high: self.highs(start, now) })
+        (self.running() && now > start).then(|| Period {
+            start,
+            end: now,
+            cut: true,
+            high: self.highs(start, now),
+        })
     }
 
     /// Ends the output period.

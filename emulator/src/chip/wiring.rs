@@ -302,6 +302,7 @@ impl<B: Board> Chip<B> {
                 start_ns: self.clock.ns(period.start + delay),
                 high_ns: self.clock.span_ns(high),
                 period_ns: self.clock.span_ns(period.end.saturating_sub(period.start)),
+                cut: period.cut,
             };
             let ns = self.clock.ns(period.end);
             self.tell_board(memory, period.end, |board, effects| board.pulse(ns, pin, pulse, effects));
