@@ -74,13 +74,7 @@ fn hammer(seed: u64, accesses: u32) -> u64 {
     let mut sample_ns = 0;
     for _ in 0..accesses {
         let block = BLOCKS[noise.below(BLOCKS.len() as u64) as usize];
-        let reach = if block == ADC {
-            0x400
-        } else if noise.below(20) == 0 {
-            0x400
-        } else {
-            0x100
-        };
+        let reach = if block == ADC || noise.below(20) == 0 { 0x400 } else { 0x100 };
         let width = [Width::Word, Width::Word, Width::Half, Width::Byte][noise.below(4) as usize];
         let offset = noise.below(reach) as u32 & if width == Width::Word { !3 } else { !1 };
         let address =
