@@ -35,6 +35,7 @@ mod rcc;
 mod serial_line;
 mod spi;
 mod timer;
+mod timer_outputs;
 mod timer_registers;
 mod transfer;
 mod usart;
