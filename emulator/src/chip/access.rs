@@ -115,6 +115,10 @@ impl<B: Board> Chip<B> {
                 if let Some(done) = self.usarts[usize::from(n)].write(register, value, at, divider) {
                     self.events.set(Slot::UsartTx(n), done);
                 }
+                if self.usarts[usize::from(n)].take_opened() {
+                    self.events
+                        .set(Slot::UsartIdle(n), at + self.usarts[usize::from(n)].frame_cycles(divider));
+                }
                 self.refresh(block);
             }
             Block::Pwr => self.minor.write_pwr(register, value),
@@ -159,7 +163,9 @@ impl<B: Board> Chip<B> {
                 self.sync_timer(memory, n, at);
                 self.cut_pulses(memory, n, at);
                 let index = usize::from(n);
+                let sticky_requests = self.timers[index].sticky_requests;
                 self.timers[index] = timer::Timer::new(index);
+                self.timers[index].sticky_requests = sticky_requests;
                 self.timers[index].set_divider(at, self.clock.timer_divider(map::timer_bus(n)));
                 self.timer_changed(n);
             }
@@ -201,7 +207,7 @@ impl<B: Board> Chip<B> {
             Block::Timer(n) => self.refresh_timer(n),
             Block::Wwdg => self.set_line(0, self.wwdg.interrupt()),
             Block::Spi(n) => {
-                self.set_line(map::SPI_IRQS[usize::from(n)], self.spis[usize::from(n)].interrupt())
+                self.set_line(map::SPI_IRQS[usize::from(n)], self.spis[usize::from(n)].interrupt());
             }
             Block::Usart(n) => {
                 self.set_line(map::USART_IRQS[usize::from(n)], self.usarts[usize::from(n)].interrupt());
@@ -222,6 +228,7 @@ impl<B: Board> Chip<B> {
     }
 
     /// Whether the clock of a block is on and its reset released; says so if not.
+    #[inline]
     fn reachable(
         &self,
         memory: &mut Memory,
@@ -240,6 +247,21 @@ impl<B: Board> Chip<B> {
         if self.rcc.enabled(gate) && self.rcc.reset[gate.0] >> gate.1 & 1 == 0 {
             return true;
         }
+        self.refuse(memory, block, gate, access, verb, master);
+        false
+    }
+
+    /// Says why a block cannot be reached.
+    #[cold]
+    fn refuse(
+        &self,
+        memory: &mut Memory,
+        block: Block,
+        gate: (usize, u8),
+        access: Access,
+        verb: &str,
+        master: Master,
+    ) {
         let who = if let Master::Dma(n) = master { format!(" by DMA{n}") } else { String::new() };
         let why = if self.rcc.enabled(gate) {
             "it is held in reset".into()
@@ -247,7 +269,6 @@ impl<B: Board> Chip<B> {
             format!("its clock is off ({} bit {})", ENABLE_REGISTERS[gate.0], gate.1)
         };
         memory.report(access.at, access.pc, format!("{} is {verb}{who} while {why}", block.name()));
-        false
     }
 
     /// The word that a write of less than a word amounts to. AHB peripherals take single lanes; on APB the whole

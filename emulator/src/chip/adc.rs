@@ -65,7 +65,7 @@ impl Adc {
     /// Length of the conversion under way, in cycles of the converter's clock: sampling and one cycle a bit.
     pub(crate) fn conversion_cycles(&self) -> u32 {
         const SAMPLING: [u32; 8] = [3, 15, 28, 56, 84, 112, 144, 480];
-        let channel = u32::from(self.channel());
+        let channel = u32::from(self.channel()).min(18);
         let bits =
             if channel >= 10 { self.smpr[0] >> (3 * (channel - 10)) } else { self.smpr[1] >> (3 * channel) };
         let resolution = 12 - 2 * (self.cr1 >> 24 & 3);

@@ -11,6 +11,8 @@ pub struct Pulse {
     pub high_ns: f64,
     /// Length of the timer's period [ns].
     pub period_ns: f64,
+    /// The period was cut short: the timer stopped, or the pin went elsewhere.
+    pub cut: bool,
 }
 
 /// How a word was clocked over SPI.

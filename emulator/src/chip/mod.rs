@@ -35,6 +35,7 @@ mod rcc;
 mod serial_line;
 mod spi;
 mod timer;
+mod timer_outputs;
 mod timer_registers;
 mod transfer;
 mod usart;
@@ -146,10 +147,8 @@ impl<B: Board> Peripherals for Chip<B> {
         self.catch_up(memory, access.at);
         match place(access.address) {
             Place::Block(block, offset) => {
-                let value = self.read_block(memory, block, offset, access, Master::Core);
-                // Reading a data register may let DMA go on.
-                self.pump(memory, access.at);
-                Ok(value)
+                // No read by the core makes a peripheral ask for DMA.
+                Ok(self.read_block(memory, block, offset, access, Master::Core))
             }
             Place::FlashMemory(offset) => {
                 let at = offset as usize;

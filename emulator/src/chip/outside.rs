@@ -97,6 +97,14 @@ impl<B: Board> Chip<B> {
         self.iwdg.lsi_hz = hz.max(1);
     }
 
+    /// Whether a DMA request of a timer that nobody has served outlives the clearing of its enable bit. The manual does
+    /// not say; firmware must work with both. Off at first.
+    pub fn set_sticky_timer_requests(&mut self, sticky: bool) {
+        for timer in &mut self.timers {
+            timer.sticky_requests = sticky;
+        }
+    }
+
     /// Where erase times lie between typical (0) and longest (1).
     pub fn set_flash_slowness(&mut self, slowness: f64) {
         self.flash.slowness = slowness;

@@ -3,6 +3,7 @@
 //! Nothing happens cycle by cycle. A timer knows when its count was what, and brings its flags up to date when
 //! somebody looks ([`Timer::step`]); only what somebody waits for becomes an event ([`Timer::next_due`]).
 
+use super::timer_outputs::Period;
 use crate::bus::{Cycle, NEVER};
 
 pub(super) const CR1_CEN: u32 = 1;
@@ -11,7 +12,6 @@ pub(super) const CR1_URS: u32 = 1 << 2;
 pub(super) const CR1_OPM: u32 = 1 << 3;
 pub(super) const CR1_ARPE: u32 = 1 << 7;
 const DIER_UDE: u32 = 1 << 8;
-pub(super) const BDTR_MOE: u32 = 1 << 15;
 
 /// A register whose written value counts from the next update.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,11 +54,13 @@ pub(crate) struct Timer {
     /// Highest count of this period that compare matches have been looked for at; -1 for none.
     pub(super) checked: i64,
     /// When the present output period began.
-    period_start: Cycle,
+    pub(super) period_start: Cycle,
     /// Requests of the update left to serve: a burst asks more than once.
     pub(super) burst_left: u32,
     /// Place of the next access through DMAR.
     pub(super) burst_index: u32,
+    /// A request outlives its enable bit: the manual does not say.
+    pub(super) sticky_requests: bool,
     /// Requests of the channels left to serve, as bits.
     pub(super) channel_requests: u8,
 }
@@ -70,17 +72,6 @@ pub(crate) enum Step {
     Current,
     /// An output period ended.
     Period(Period),
-}
-
-/// An output period that is over.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Period {
-    /// When it began.
-    pub(crate) start: Cycle,
-    /// When it ended.
-    pub(crate) end: Cycle,
-    /// Per channel: when after the start its line rose, and for how long it was high [cycles].
-    pub(crate) high: [(u64, u64); 4],
 }
 
 impl Timer {
@@ -120,6 +111,7 @@ impl Timer {
             burst_left: 0,
             burst_index: 0,
             channel_requests: 0,
+            sticky_requests: false,
         }
     }
 
@@ -133,7 +125,7 @@ impl Timer {
     }
 
     /// HCLK cycles per count.
-    fn tick(&self) -> u64 {
+    pub(super) fn tick(&self) -> u64 {
         u64::from(self.divider) * (u64::from(self.psc.active) + 1)
     }
 
@@ -181,7 +173,8 @@ impl Timer {
                 self.matched(channel);
             }
         }
-        let period = Period { start: self.period_start, end, high: self.highs(self.period_start, end) };
+        let period =
+            Period { start: self.period_start, end, cut: false, high: self.highs(self.period_start, end) };
         (self.origin, self.origin_count, self.checked, self.period_start) = (end, 0, -1, end);
         if overflow {
             self.update(true);
@@ -294,64 +287,6 @@ impl Timer {
             self.origin = now;
             self.divider = divider;
         }
-    }
-
-    /// What the outputs did since the period began, if the period were cut short now.
-    pub(crate) fn cut(&mut self, now: Cycle) -> Option<Period> {
-        if !self.running() || now <= self.period_start {
-            return None;
-        }
-        let start = std::mem::replace(&mut self.period_start, now);
-        Some(Period { start, end: now, high: self.highs(start, now) })
-    }
-
-    /// Whether the output of a channel is on.
-    pub(super) fn output_on(&self, channel: usize) -> bool {
-        self.ccer >> (4 * channel) & 1 == 1 && (!self.advanced || self.bdtr & BDTR_MOE != 0)
-    }
-
-    /// Bits of CCMR for a channel.
-    pub(super) fn mode_bits(&self, channel: usize) -> u32 {
-        self.ccmr[(channel / 2) & 1] >> (8 * (channel % 2)) & 0xFF
-    }
-
-    /// Where in a period from `start` to `end` each output was high.
-    fn highs(&self, start: Cycle, end: Cycle) -> [(u64, u64); 4] {
-        let mut highs = [(0, 0); 4];
-        let length = end.saturating_sub(start);
-        for (channel, high) in highs.iter_mut().enumerate().take(self.channels) {
-            if !self.output_on(channel) {
-                continue;
-            }
-            let compare = (u64::from(self.ccr[channel].active) * self.tick()).min(length);
-            let inverted = self.ccer >> (4 * channel + 1) & 1 == 1;
-            let (before, after) = match self.mode_bits(channel) >> 4 & 7 {
-                5 => (true, true),
-                6 => (true, false),
-                7 => (false, true),
-                _ => (false, false),
-            };
-            *high = match (before ^ inverted, after ^ inverted) {
-                (true, true) => (0, length),
-                (true, false) => (0, compare),
-                (false, true) => (compare, length - compare),
-                (false, false) => (0, 0),
-            };
-        }
-        highs
-    }
-
-    /// Whether any output is high at some time in the present period.
-    fn emits(&self) -> bool {
-        (0..self.channels).any(|channel| {
-            let inverted = self.ccer >> (4 * channel + 1) & 1 == 1;
-            self.output_on(channel)
-                && match self.mode_bits(channel) >> 4 & 7 {
-                    6 if !inverted => self.ccr[channel].active != 0,
-                    0..=4 if !inverted => false,
-                    _ => true,
-                }
-        })
     }
 
     /// Whether periods may pass with nobody told.

@@ -60,11 +60,13 @@ impl Timer {
             }
             0x0C => {
                 self.dier = value & 0x7F5F;
-                // Without its enable bit a request is gone.
-                if self.dier >> 8 & 1 == 0 {
-                    self.burst_left = 0;
+                if !self.sticky_requests {
+                    // Without its enable bit a request is gone.
+                    if self.dier >> 8 & 1 == 0 {
+                        self.burst_left = 0;
+                    }
+                    self.channel_requests &= (self.dier >> 9) as u8 & 0xF;
                 }
-                self.channel_requests &= (self.dier >> 9) as u8 & 0xF;
             }
             0x10 => self.sr &= value,
             0x14 => self.generate(value, now),
@@ -127,12 +129,12 @@ impl Timer {
 
     /// Whether the update asks for DMA.
     pub(crate) fn update_requested(&self) -> bool {
-        self.burst_left > 0
+        self.burst_left > 0 && self.dier >> 8 & 1 == 1
     }
 
     /// Whether a channel asks for DMA.
     pub(crate) fn channel_requested(&self, channel: u8) -> bool {
-        self.channel_requests >> channel & 1 == 1
+        self.channel_requests >> channel & 1 == 1 && self.dier >> (channel + 9) & 1 == 1
     }
 
     /// DMA serves one request.

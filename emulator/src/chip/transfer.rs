@@ -33,19 +33,22 @@ impl<B: Board> Chip<B> {
         if self.dma[0].on | self.dma[1].on == 0 {
             return;
         }
-        for _ in 0..MOST_ITEMS {
+        for served in 0.. {
             let Some((controller, stream, request)) = self.most_urgent() else { return };
+            if served == MOST_ITEMS {
+                self.dma[controller].streams[stream].fail(TEIF);
+                self.dma[controller].note(stream);
+                let text =
+                    "a DMA request is served without end: the stream does not reach who asks; it is stopped";
+                memory.report(at, 0, text.into());
+                return;
+            }
             self.acknowledge(request);
             self.serve(memory, controller, stream, at);
             if let Request::TimerUpdate(n) | Request::TimerChannel(n, _) = request {
                 self.timer_changed(n);
             }
         }
-        memory.report(
-            at,
-            0,
-            "a DMA request is served without end: the stream does not reach who asks".into(),
-        );
     }
 
     /// A stream has been switched on.
@@ -78,8 +81,20 @@ impl<B: Board> Chip<B> {
 
     /// Carries a whole transfer from memory to memory.
     pub(super) fn copy_memory(&mut self, memory: &mut Memory, stream: usize, at: Cycle) {
-        while self.dma[1].streams[stream].enabled() {
-            self.serve(memory, 1, stream, at);
+        for _ in 0..self.dma[1].streams[stream].left {
+            if self.dma[1].streams[stream].enabled() {
+                self.serve(memory, 1, stream, at);
+            }
+        }
+        let state = &self.dma[1].streams[stream];
+        if state.enabled() {
+            // Circular, which the manual forbids here: around once more.
+            memory.report(
+                at,
+                0,
+                format!("DMA2 stream {stream} copies memory in circular mode, which is not allowed"),
+            );
+            self.events.set(Slot::MemoryCopy(stream as u8), at + COPY_CYCLES * u64::from(state.left));
         }
     }
 

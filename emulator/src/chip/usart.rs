@@ -66,6 +66,7 @@ pub(crate) struct Usart {
     sending: Option<Sending>,
     /// A byte has come since the line was last reported idle.
     heard: bool,
+    opened: bool,
 }
 
 impl Usart {
@@ -82,6 +83,7 @@ impl Usart {
             waiting: None,
             sending: None,
             heard: false,
+            opened: false,
         }
     }
 
@@ -163,6 +165,11 @@ impl Usart {
         }
     }
 
+    /// Whether the receiver has just been switched on: a line that is idle then is told once, too.
+    pub(crate) fn take_opened(&mut self) -> bool {
+        std::mem::take(&mut self.opened)
+    }
+
     /// The answer is when the shift register will be empty, if it has just been filled.
     pub(crate) fn write(&mut self, offset: u32, value: u32, now: Cycle, divider: u32) -> Option<Cycle> {
         match offset {
@@ -175,17 +182,16 @@ impl Usart {
             }
             0x08 => self.brr = value & 0xFFFF,
             0x0C => {
-                let was_transmitting = self.transmitting();
+                let (was_transmitting, was_receiving) = (self.transmitting(), self.receiving());
                 self.cr1 = value & 0xBFFF;
+                self.opened = self.receiving() && !was_receiving;
+                self.heard = self.receiving() && (self.heard || self.opened);
                 if self.transmitting() && self.sending.is_none() {
                     if !was_transmitting {
                         self.sending = Some(Sending::Preamble);
                         return Some(now + self.frame_cycles(divider));
                     }
                     return self.load(now, divider);
-                }
-                if !self.receiving() {
-                    self.heard = false;
                 }
             }
             0x10 => self.cr2 = value & 0x7F6F,

@@ -4,7 +4,8 @@ use super::access::report;
 use super::events::Slot;
 use super::map::{self, Block};
 use super::pin::{Route, SPI_PINS, TIMER_PINS};
-use super::timer::{Period, Step};
+use super::timer::Step;
+use super::timer_outputs::Period;
 use super::{Board, Chip, Effects, Pin, Pulse, flash, gpio};
 use crate::bus::{Access, Cycle, NEVER};
 use crate::memory::Memory;
@@ -27,9 +28,10 @@ impl<B: Board> Chip<B> {
     pub(super) fn cut_pulses(&mut self, memory: &mut Memory, n: u8, now: Cycle) {
         let index = usize::from(n);
         if self.pwm_timers >> index & 1 == 1
-            && let Some(period) = self.timers[index].cut(now)
+            && let Some(period) = self.timers[index].so_far(now)
         {
             self.emit(memory, index, period);
+            self.timers[index].cut(now);
         }
     }
 
@@ -81,21 +83,13 @@ impl<B: Board> Chip<B> {
         change: impl FnOnce(&mut gpio::Gpio),
     ) {
         let port = usize::from(n);
-        if routes && self.pwm_timers != 0 {
-            for timer in 0..14_u8 {
-                if self.pwm_pins[usize::from(timer)].iter().flatten().any(|pin| pin.port() == port) {
-                    self.sync_timer(memory, timer, at);
-                    self.cut_pulses(memory, timer, at);
-                }
-            }
-        }
         let (drives_before, levels_before) = self.gpio[port].outputs();
         let seen_before = self.gpio[port].idr();
         change(&mut self.gpio[port]);
         let (drives, levels) = self.gpio[port].outputs();
         let seen = self.gpio[port].idr();
         if routes {
-            self.route_outputs();
+            self.route_outputs(memory, at);
         }
         let mut changed = drives ^ drives_before | (levels ^ levels_before) & drives;
         let ns = self.clock.ns(at);
@@ -110,18 +104,31 @@ impl<B: Board> Chip<B> {
         self.edges(port, seen_before, seen);
     }
 
-    /// Which pins carry which outputs of timers now.
-    fn route_outputs(&mut self) {
-        self.pwm_pins = [[None; 4]; 14];
-        self.pwm_timers = 0;
+    /// Works out which pins carry which outputs of timers; a pulse on a pin that changes hands ends here.
+    fn route_outputs(&mut self, memory: &mut Memory, at: Cycle) {
+        let mut pins = [[None; 4]; 14];
         for &(timer, channel, route) in TIMER_PINS {
             if self.gpio[route.0.port()].leads(route) {
-                let index = usize::from(timer) - 1;
-                self.pwm_pins[index][usize::from(channel)] = Some(route.0);
-                self.pwm_timers |= 1 << index;
+                pins[usize::from(timer) - 1][usize::from(channel)] = Some(route.0);
             }
         }
-        for timer in 0..14 {
+        for timer in 0..14_u8 {
+            let index = usize::from(timer);
+            if pins[index] == self.pwm_pins[index] {
+                continue;
+            }
+            self.sync_timer(memory, timer, at);
+            if let Some(mut period) = self.timers[index].so_far(at) {
+                for (channel, high) in period.high.iter_mut().enumerate() {
+                    if pins[index][channel] == self.pwm_pins[index][channel] {
+                        *high = (0, 0);
+                    }
+                }
+                self.emit(memory, index, period);
+            }
+            self.pwm_pins[index] = pins[index];
+            let carried = u16::from(pins[index] != [None; 4]);
+            self.pwm_timers = self.pwm_timers & !(1 << index) | carried << index;
             self.timer_changed(timer);
         }
     }
@@ -296,6 +303,7 @@ impl<B: Board> Chip<B> {
                 start_ns: self.clock.ns(period.start + delay),
                 high_ns: self.clock.span_ns(high),
                 period_ns: self.clock.span_ns(period.end.saturating_sub(period.start)),
+                cut: period.cut,
             };
             let ns = self.clock.ns(period.end);
             self.tell_board(memory, period.end, |board, effects| board.pulse(ns, pin, pulse, effects));

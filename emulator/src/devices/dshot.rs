@@ -124,6 +124,12 @@ impl DshotEsc {
 
     /// A pulse on the line. The answer is the frame that it completes.
     pub fn pulse(&mut self, pulse: Pulse, bugs: &mut Vec<String>) -> Option<FrameEnd> {
+        if pulse.cut {
+            // Whoever stops the timer in a frame means to; what there is of the frame is void.
+            self.bad_frames += u64::from(self.count != BITS);
+            (self.count, self.last_start_ns) = (0, None);
+            return None;
+        }
         let period = pulse.period_ns.max(1.0);
         let gap = self.last_start_ns.map(|last| pulse.start_ns.saturating_sub(last) as f64);
         let follows = gap.is_some_and(|gap| gap < GAP_BITS * period);
@@ -243,7 +249,7 @@ mod tests {
         for bit in 0..16 {
             let start_ns = at_ns + (f64::from(bit) * bit_ns) as u64;
             let share = if frame >> (15 - bit) & 1 == 1 { 0.75 } else { 0.375 };
-            let pulse = Pulse { start_ns, high_ns: share * bit_ns, period_ns: bit_ns };
+            let pulse = Pulse { start_ns, high_ns: share * bit_ns, period_ns: bit_ns, cut: false };
             if let Some(done) = esc.pulse(pulse, bugs) {
                 end = done.end_ns;
             }

@@ -76,12 +76,16 @@ enum Ended {
 }
 
 /// Whether arming may work a moment later without anybody's doing: the gyro calibrates, the vehicle comes to rest, the
-/// board's drivers start. For
-/// everything else a person is asked; a vehicle must not arm because somebody let go of a switch.
+/// board's drivers start and its battery has not been measured yet. For everything else a person is asked; a vehicle must
+/// not arm because somebody let go of a switch.
 fn passes_by_itself(refusal: Refusal) -> bool {
     use ArmingBlock as B;
-    let passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0 | B::STARTING.0;
-    matches!(refusal, Refusal::ArmingBlocked(bits) if bits & !passing == 0)
+    let Refusal::ArmingBlocked(bits) = refusal else { return false };
+    let mut passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0 | B::STARTING.0;
+    if bits & B::STARTING.0 != 0 {
+        passing |= B::BATTERY_UNKNOWN.0;
+    }
+    bits & !passing == 0
 }
 
 /// A flight under way.

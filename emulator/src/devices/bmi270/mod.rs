@@ -167,10 +167,10 @@ impl Bmi270 {
             return 0xFFFF;
         }
         if !self.spi {
-            if position >= 2 || !self.reading {
+            if !self.reading {
                 self.tell(
                     TOLD_I2C,
-                    "BMI270: is used before a rising edge of chip select chose SPI".into(),
+                    "BMI270: is written before a rising edge of chip select chose SPI".into(),
                     bugs,
                 );
             }
