@@ -49,6 +49,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
             core.counters.asleep,
             instructions as f64 / host * 1e-6
         );
+        eprintln!("ended at {:#010x} in exception {}, last fault {:x?}", core.register(15), core.exception_number(), machine.last_fault);
     }
     Ok(match stop {
         Stop::Exit(code) => ExitCode::from(u8::try_from(code).unwrap_or(1)),
