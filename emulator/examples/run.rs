@@ -7,7 +7,7 @@
 //! Ends with the program's own exit code (semihosting), 0 when time is up, or 101 after a lock-up.
 use std::{io::Write, process::ExitCode, time::Instant};
 
-use emulator::{Machine, NoPeripherals, Stop, core::Timing};
+use emulator::{Machine, NoPeripherals, Stop, core::Timing, log::Log};
 
 const HZ: u64 = 168_000_000;
 
@@ -26,12 +26,14 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     // The one line to change for another set of peripherals.
     let mut machine = Machine::new(NoPeripherals::default(), timing, 1);
     machine.load_elf(&elf)?;
+    let mut log = Log::new(&elf);
     let begun = Instant::now();
     let end = (seconds * HZ as f64) as u64;
     let stop = loop {
         let stop = machine.run_until(end.min(machine.time() + HZ / 100));
         std::io::stdout().write_all(&std::mem::take(&mut machine.output))?;
-        std::io::stdout().write_all(&machine.read_rtt())?;
+        let logged = log.decode(&machine.read_rtt());
+        std::io::stdout().write_all(logged.as_bytes())?;
         std::io::stdout().flush()?;
         if stop != Stop::ReachedTime || machine.time() >= end {
             break stop;
@@ -49,7 +51,12 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
             core.counters.asleep,
             instructions as f64 / host * 1e-6
         );
-        eprintln!("ended at {:#010x} in exception {}, last fault {:x?}", core.register(15), core.exception_number(), machine.last_fault);
+        eprintln!(
+            "ended at {:#010x} in exception {}, last fault {:x?}",
+            core.register(15),
+            core.exception_number(),
+            machine.last_fault
+        );
     }
     Ok(match stop {
         Stop::Exit(code) => ExitCode::from(u8::try_from(code).unwrap_or(1)),

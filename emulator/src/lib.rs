@@ -15,6 +15,7 @@
 //! time, so that the same image and the same inputs give the same bytes.
 pub mod bus;
 pub mod core;
+pub mod log;
 pub mod machine;
 pub mod memory;
 

@@ -157,9 +157,7 @@ impl<P: Peripherals> Machine<P> {
                 continue;
             }
             let result = match self.core.exception_to_take() {
-                Some(exception) => {
-                    self.core.enter(&mut self.memory, &mut self.peripherals, exception)
-                }
+                Some(exception) => self.core.enter(&mut self.memory, &mut self.peripherals, exception),
                 None if !self.core.thumb => {
                     // The instruction at the target faults (B1.5.14); it is still to be executed.
                     self.fault(Fault::InvalidState)
@@ -239,7 +237,8 @@ impl<P: Peripherals> Machine<P> {
             core.sleep = Sleep::Awake;
             return;
         }
-        let next = limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
+        let next =
+            limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
         core.counters.asleep += next - core.cycle;
         core.cycle = next;
     }
@@ -261,7 +260,9 @@ impl<P: Peripherals> Machine<P> {
 
     /// Both halfwords of the instruction to execute.
     fn encoding_at_pc(&mut self) -> u32 {
-        let half = |at: u32| self.memory.peek(at, 2).map_or(0xFFFF, |bytes| u32::from(bytes[0]) | u32::from(bytes[1]) << 8);
+        let half = |at: u32| {
+            self.memory.peek(at, 2).map_or(0xFFFF, |bytes| u32::from(bytes[0]) | u32::from(bytes[1]) << 8)
+        };
         half(self.core.pc) << 16 | half(self.core.pc.wrapping_add(2))
     }
 }

@@ -1,12 +1,9 @@
 //! Loads and stores: memory at once, everything else through slower and slower paths (B3.1, RM0090 section 2.3).
 use crate::{
-    bus::{Access, AccessError, Master, Peripherals, Width},
+    bus::{Access, AccessError, Peripherals, Width},
     core::{Core, Fault, cost::Timing},
     memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES},
 };
-
-/// The core, as a bus master.
-pub(crate) const MASTER: Master = Master::Core;
 
 /// Reads a little-endian value of up to four bytes; `None` past the end.
 #[inline(always)]

@@ -89,7 +89,8 @@ impl Fault {
 impl Core {
     /// TakeReset (B1.5.5).
     pub(crate) fn reset(&mut self, memory: &mut Memory) {
-        let fresh = Self { flash_slots: Box::default(), ram_slots: Box::default(), ..Self::empty(self.timing) };
+        let fresh =
+            Self { flash_slots: Box::default(), ram_slots: Box::default(), ..Self::empty(self.timing) };
         let old = std::mem::replace(self, fresh);
         self.flash_slots = old.flash_slots;
         self.ram_slots = old.ram_slots;
@@ -338,11 +339,7 @@ impl Core {
         let to_handler = value & 0xF == 1;
         let to_process_stack = value & 0xF == 0xD;
         let legal = value & 0xFFFF_FFE0 == 0xFFFF_FFE0 && matches!(value & 0xF, 1 | 9 | 0xD);
-        let nested = if to_handler {
-            others != 0
-        } else {
-            others == 0 || self.scs.thread_from_any_level()
-        };
+        let nested = if to_handler { others != 0 } else { others == 0 || self.scs.thread_from_any_level() };
         let consistent = legal && nested && self.nvic.active & bit(returning) != 0;
         self.nvic.active = others;
         if returning != nvic::NMI {

@@ -53,7 +53,14 @@ impl Default for InstructionCache {
 }
 
 impl InstructionCache {
-    pub(super) fn fetch(&mut self, line: u32, now: Cycle, latency: u8, caching: bool, prefetching: bool) -> u64 {
+    pub(super) fn fetch(
+        &mut self,
+        line: u32,
+        now: Cycle,
+        latency: u8,
+        caching: bool,
+        prefetching: bool,
+    ) -> u64 {
         let latency = u64::from(latency);
         let sequential = line == self.previous + 1;
         let wait = if caching && let Some(held) = self.lines.iter().position(|held| *held == line) {

@@ -146,8 +146,8 @@ pub(super) fn register(a: u32, b: u32) -> Op {
         }
         (8..16, 0..8) => parallel(op1, op2, rd, rn, rm),
         (8, 8..12) => {
-            let op =
-                [Saturating::Qadd, Saturating::Qdadd, Saturating::Qsub, Saturating::Qdsub][(op2 & 3) as usize];
+            let op = [Saturating::Qadd, Saturating::Qdadd, Saturating::Qsub, Saturating::Qdsub]
+                [(op2 & 3) as usize];
             Op::Saturating { op, rd, rn, rm }
         }
         (9, 8) => Op::Rev { rd, rm },

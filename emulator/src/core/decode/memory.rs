@@ -125,8 +125,7 @@ pub(super) fn load(pc: u32, a: u32, b: u32) -> Op {
     if rn == 15 {
         let base = pc.wrapping_add(4) & !3;
         let offset = bits(b, 0, 12);
-        let address =
-            if bits(a, 7, 1) == 1 { base.wrapping_add(offset) } else { base.wrapping_sub(offset) };
+        let address = if bits(a, 7, 1) == 1 { base.wrapping_add(offset) } else { base.wrapping_sub(offset) };
         return match size {
             _ if hint => Op::Nop,
             Size::Word if rt != 15 => Op::LdrLit { rt, address },

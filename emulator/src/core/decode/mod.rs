@@ -95,16 +95,11 @@ fn narrow(pc: u32, w: u32) -> (Op, bool) {
             let op = match bits(w, 8, 4) {
                 14 => Op::Undefined,
                 15 => Op::Svc,
-                cond => {
-                    branch_if(cond, pc.wrapping_add(4).wrapping_add(sign_extend(bits(w, 0, 8), 8) << 1))
-                }
+                cond => branch_if(cond, pc.wrapping_add(4).wrapping_add(sign_extend(bits(w, 0, 8), 8) << 1)),
             };
             (op, false)
         }
-        _ => (
-            Op::B { target: pc.wrapping_add(4).wrapping_add(sign_extend(bits(w, 0, 11), 11) << 1) },
-            false,
-        ),
+        _ => (Op::B { target: pc.wrapping_add(4).wrapping_add(sign_extend(bits(w, 0, 11), 11) << 1) }, false),
     }
 }
 
@@ -114,9 +109,7 @@ fn shift_add_compare(w: u32) -> Op {
     let n = bits(w, 6, 5) as u8;
     let (r8, imm8) = (reg3(w, 8), bits(w, 0, 8));
     match bits(w, 9, 5) {
-        0..4 if n == 0 => {
-            Op::AluReg { op: Alu::Mov, s: true, rd, rn: 0, rm: rn, shift: Shift::Lsl, n: 0 }
-        }
+        0..4 if n == 0 => Op::AluReg { op: Alu::Mov, s: true, rd, rn: 0, rm: rn, shift: Shift::Lsl, n: 0 },
         0..4 => Op::LslsImm { rd, rm: rn, n },
         4..8 if n != 0 => Op::LsrsImm { rd, rm: rn, n },
         4..8 => Op::AluReg { op: Alu::Mov, s: true, rd, rn: 0, rm: rn, shift: Shift::Lsr, n: 32 },
@@ -222,9 +215,7 @@ fn miscellaneous(pc: u32, w: u32) -> Op {
             _ => Op::Uxtb { rd, rm },
         },
         4 | 5 => Op::Push { list: (bits(w, 0, 8) | bits(w, 8, 1) << 14) as u16 },
-        6 if bits(w, 5, 3) == 0b011 => {
-            Op::Cps { disable: bits(w, 4, 1) == 1, masks: bits(w, 0, 2) as u8 }
-        }
+        6 if bits(w, 5, 3) == 0b011 => Op::Cps { disable: bits(w, 4, 1) == 1, masks: bits(w, 0, 2) as u8 },
         10 => match bits(w, 6, 2) {
             0 => Op::Rev { rd, rm },
             1 => Op::Rev16 { rd, rm },

@@ -180,7 +180,6 @@ impl Core {
                 }
                 Op::Undefined => break Exit::Fault(Fault::Undefined),
                 Op::NoCoprocessor => break Exit::Fault(Fault::NoCoprocessor),
-                Op::Unimplemented => break Exit::Unimplemented,
                 Op::Nop => {}
                 Op::It { state } => self.it = state,
 
@@ -464,7 +463,11 @@ impl Core {
                     check!(self.ready_float(memory, peripherals));
                     self.execute_float(slot.op);
                 }
-                op => check!(self.execute_rare::<P, PESSIMISTIC>(memory, peripherals, op)),
+                op => match self.execute_rare::<P, PESSIMISTIC>(memory, peripherals, op) {
+                    Ok(true) => {}
+                    Ok(false) => break Exit::Unimplemented,
+                    Err(fault) => break Exit::Fault(fault),
+                },
             }
             pc = pc.wrapping_add(u32::from(slot.len));
         };

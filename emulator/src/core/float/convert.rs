@@ -1,6 +1,7 @@
 //! Comparison, and conversion from and to integers, fixed point and half precision (ARMv7-M ARM A2.5.5).
 use super::{
-    AHP, Context, DEFAULT_NAN, DN, INFINITY, IOC, IXC, Kind, OFC, QUIET, RMODE, SIGN, UFC, jam, normalise, rounds_up,
+    AHP, Context, DEFAULT_NAN, DN, INFINITY, IOC, IXC, Kind, OFC, QUIET, RMODE, SIGN, UFC, jam, normalise,
+    rounds_up,
 };
 
 /// FPCompare: N, Z, C and V as a number of four bits. With `quiet_too`, any NaN is invalid.

@@ -359,10 +359,7 @@ pub(crate) fn fused(context: &mut Context, a: u32, b: u32, addend: u32) -> u32 {
     }
     let (x, y, z) = (context.unpack(a), context.unpack(b), context.unpack(addend));
     let nan = context.process_nans(&[(z, addend), (x, a), (y, b)]);
-    let meaningless = matches!(
-        (x.kind, y.kind),
-        (Kind::Infinity, Kind::Zero) | (Kind::Zero, Kind::Infinity)
-    );
+    let meaningless = matches!((x.kind, y.kind), (Kind::Infinity, Kind::Zero) | (Kind::Zero, Kind::Infinity));
     if meaningless && matches!(z.kind, Kind::QuietNan) {
         return context.invalid();
     }
