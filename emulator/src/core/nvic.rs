@@ -76,7 +76,7 @@ impl Nvic {
 
     /// The part of a priority that preempts (B1.5.4): bits PRIGROUP..0 are the subpriority.
     pub(crate) fn group_priority(&self, priority: i16) -> i16 {
-        if priority < 0 || priority >= LOWEST { priority } else { priority & !((2_i16 << self.group) - 1) }
+        if (0..LOWEST).contains(&priority) { priority & !((2_i16 << self.group) - 1) } else { priority }
     }
 
     /// Highest group priority among `set`; [`LOWEST`] where it is empty.

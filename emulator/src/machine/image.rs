@@ -95,8 +95,8 @@ impl<P: Peripherals> Machine<P> {
         };
         let (buffer, size) = (word(channel + 4)?, word(channel + 8)?);
         let (write, read) = (word(channel + 12)?, word(channel + 16)?);
-        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size
-        {
+        let valid = self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT");
+        if !valid || write >= size || read >= size {
             return None;
         }
         let mut bytes = Vec::new();

@@ -62,20 +62,21 @@ impl InstructionCache {
         prefetching: bool,
     ) -> u64 {
         let latency = u64::from(latency);
-        let sequential = line == self.previous + 1;
-        let wait = if caching && let Some(held) = self.lines.iter().position(|held| *held == line) {
-            self.used[held] = now;
+        let sequential = line == self.previous.wrapping_add(1);
+        let held = if caching { self.lines.iter().position(|held| *held == line) } else { None };
+        let wait = if held.is_some() {
             0
         } else if prefetching && sequential {
             // Its read began when the line before it arrived.
-            latency.saturating_sub(now - self.since)
+            latency.saturating_sub(now.saturating_sub(self.since))
         } else {
             latency
         };
-        if caching && wait > 0 || caching && !self.lines.contains(&line) {
-            let oldest = (0..INSTRUCTION_LINES).min_by_key(|&place| self.used[place]).unwrap_or(0);
-            self.lines[oldest] = line;
-            self.used[oldest] = now;
+        if caching {
+            let oldest = || (0..INSTRUCTION_LINES).min_by_key(|&place| self.used[place]).unwrap_or(0);
+            let place = held.unwrap_or_else(oldest);
+            self.lines[place] = line;
+            self.used[place] = now;
         }
         self.previous = line;
         self.since = now + wait;

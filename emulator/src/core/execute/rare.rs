@@ -208,7 +208,7 @@ impl Core {
             Dsp::Smla => half(n, mode & 2 != 0) * half(m, mode & 1 != 0) + signed(addend),
             Dsp::Smlaw => {
                 // Bits 47..16 of the product.
-                (signed(n) * half(m, mode & 1 != 0) >> 16) + signed(addend)
+                ((signed(n) * half(m, mode & 1 != 0)) >> 16) + signed(addend)
             }
             Dsp::Smlad => products.0 + products.1 + signed(addend),
             Dsp::Smlsd => products.0 - products.1 + signed(addend),
