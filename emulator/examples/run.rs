@@ -25,6 +25,9 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let elf = std::fs::read(file.ok_or("which ELF?")?)?;
     // The one line to change for another set of peripherals.
     let mut machine = Machine::new(NoPeripherals::default(), timing, 1);
+    // What firmware for 168 MHz sets first thing (RM0090 table 10); with a FLASH peripheral it does so itself.
+    let flash = &mut machine.memory.flash_interface;
+    (flash.latency, flash.prefetch, flash.instruction_cache, flash.data_cache) = (5, true, true, true);
     machine.load_elf(&elf)?;
     let mut log = Log::new(&elf);
     let begun = Instant::now();

@@ -197,8 +197,7 @@ impl Core {
         self.deadline = self.deadline.min(peripherals.next_event());
         let lines = peripherals.interrupt_lines();
         if lines != self.nvic.lines() {
-            self.nvic.set_lines(lines);
-            self.deadline = 0;
+            self.set_lines(lines);
         }
         memory.flash_interface.forget_recent();
         if memory.flash_interface.busy_until > self.cycle || memory.has_changes() {

@@ -143,6 +143,16 @@ impl Core {
         priority < masked
     }
 
+    /// New levels of the interrupt lines.
+    pub(crate) fn set_lines(&mut self, lines: u128) {
+        let before = self.nvic.pending;
+        self.nvic.set_lines(lines);
+        if self.scs.sends_event_on_pend() && before != self.nvic.pending {
+            self.event = true;
+        }
+        self.deadline = 0;
+    }
+
     /// Marks an exception pending; with SEVONPEND that is an event (B1.5.18).
     pub(crate) fn pend(&mut self, exception: u16) {
         let bit = bit(exception);
