@@ -303,3 +303,35 @@ fn images_that_fit_nowhere_are_refused() {
     assert!(machine.load_binary(0x0810_0000 - 2, &[0; 4]).is_err());
     assert!(machine.load_elf(b"not an ELF").is_err());
 }
+
+#[test]
+fn noise_as_code_never_panics() {
+    let mut machine = machine(Timing::Pessimistic, UDF, &[]);
+    machine.stop_at_breakpoints = false;
+    let mut state = 1_u64;
+    for _ in 0..200 {
+        let mut image: Vec<u8> = (0..4096)
+            .flat_map(|_| {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                (state >> 32).to_le_bytes()[..4].to_vec()
+            })
+            .collect();
+        // A stack in the middle of RAM, and vectors to anywhere in the image.
+        for (n, vector) in image[..4 * 98].chunks_exact_mut(4).enumerate() {
+            let entry = if n == 0 { 0x2000_8000 } else { 0x0800_0200 + 138 * n as u32 + 1 };
+            vector.copy_from_slice(&entry.to_le_bytes());
+        }
+        machine.load_binary(0x0800_0000, &image).expect("it fits");
+        machine.memory.place(0x2000_7000, &image[0x400..0x2400]);
+        for start in 0..150_u32 {
+            let reset = 0x0800_0200 + 102 * start + 1;
+            machine.load_binary(0x0800_0004, &reset.to_le_bytes()).expect("it fits");
+            match machine.run_until(machine.time() + 2000) {
+                Stop::ReachedTime | Stop::Lockup { .. } | Stop::Exit(_) => {}
+                other => panic!("{other}"),
+            }
+        }
+        machine.output.clear();
+    }
+    assert!(machine.core.counters.instructions > 200_000);
+}
