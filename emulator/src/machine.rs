@@ -207,11 +207,7 @@ impl<P: Peripherals> Machine<P> {
         }
         let lines = self.peripherals.interrupt_lines();
         if lines != self.core.nvic.lines() {
-            let before = self.core.nvic.pending;
-            self.core.nvic.set_lines(lines);
-            if self.core.scs.sends_event_on_pend() && before != self.core.nvic.pending {
-                self.core.event = true;
-            }
+            self.core.set_lines(lines);
         }
         if self.core.systick.next_event() <= now {
             self.core.count_systick();
@@ -219,7 +215,7 @@ impl<P: Peripherals> Machine<P> {
         if self.peripherals.take_reset() {
             self.core.reset(&mut self.memory);
             self.peripherals.reset(&mut self.memory, now);
-            self.core.nvic.set_lines(self.peripherals.interrupt_lines());
+            self.core.set_lines(self.peripherals.interrupt_lines());
         }
         if self.memory.has_changes() || self.memory.flash_interface.busy_until > now {
             self.core.follow_flash(&mut self.memory);
@@ -230,7 +226,8 @@ impl<P: Peripherals> Machine<P> {
     fn sleep(&mut self, limit: Cycle) {
         let core = &mut self.core;
         let wakes = match core.sleep {
-            Sleep::Event => std::mem::take(&mut core.event) || core.wakes(),
+            // Unlike WFI, WFE waits for what PRIMASK lets through (B1.5.18).
+            Sleep::Event => std::mem::take(&mut core.event) || core.exception_to_take().is_some(),
             _ => core.wakes(),
         };
         if wakes {

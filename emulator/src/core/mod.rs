@@ -6,6 +6,7 @@ mod cost;
 mod decode;
 mod exception;
 mod execute;
+mod fault;
 mod float;
 mod nvic;
 mod op;
@@ -15,9 +16,9 @@ mod system;
 mod systick;
 
 pub use cost::Timing;
-pub use exception::Fault;
-pub(crate) use exception::Lockup;
 pub(crate) use execute::Exit;
+pub use fault::Fault;
+pub(crate) use fault::Lockup;
 pub(crate) use nvic::SV_CALL;
 
 use crate::{

@@ -97,7 +97,8 @@ impl Core {
     ) -> Result<(), Fault> {
         let offset = address & 0xF_FFFF;
         // STIR alone may be open to unprivileged code (CCR.USERSETMPEND).
-        if !self.privileged() && !(offset == 0xEF00 && self.scs.ccr & 2 != 0) {
+        let open = offset == 0xEF00 && self.scs.ccr & 2 != 0;
+        if !self.privileged() && !open {
             return Err(self.bus_fault(memory, AccessError::Nothing(address)));
         }
         let bytes = match width {

@@ -68,6 +68,16 @@ impl<P: Peripherals> Machine<P> {
         Ok(())
     }
 
+    /// Puts a raw image at `address`, as a programmer does, and resets the core.
+    ///
+    /// # Errors
+    /// [`ImageError::Outside`].
+    pub fn load_binary(&mut self, address: u32, image: &[u8]) -> Result<(), ImageError> {
+        self.memory.place(address, image).ok_or(ImageError::Outside { address, bytes: image.len() })?;
+        self.core.reset(&mut self.memory);
+        Ok(())
+    }
+
     /// What the program wrote to channel 0 of SEGGER's Real-Time Transfer since last asked; empty where the image
     /// has no such channel. Reading makes room, as a debug probe would.
     pub fn read_rtt(&mut self) -> Vec<u8> {
@@ -85,8 +95,8 @@ impl<P: Peripherals> Machine<P> {
         };
         let (buffer, size) = (word(channel + 4)?, word(channel + 8)?);
         let (write, read) = (word(channel + 12)?, word(channel + 16)?);
-        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size
-        {
+        let valid = self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT");
+        if !valid || write >= size || read >= size {
             return None;
         }
         let mut bytes = Vec::new();
