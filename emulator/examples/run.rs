@@ -50,7 +50,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         let instructions = core.counters.instructions;
         eprintln!(
             "{instructions} instructions, {} cycles awake, {} asleep; {:.1} million instructions/s",
-            core.awake(),
+            core.clocked(),
             core.counters.asleep,
             instructions as f64 / host * 1e-6
         );

@@ -237,6 +237,9 @@ impl<P: Peripherals> Machine<P> {
         let next =
             limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
         core.counters.asleep += next - core.cycle;
+        if !self.peripherals.clocks_core_in_sleep() {
+            core.counters.stopped += next - core.cycle;
+        }
         core.cycle = next;
     }
 

@@ -158,7 +158,7 @@ fn sleep_costs_nothing() {
     assert_eq!(machine.run_until(year), Stop::ReachedTime);
     assert_eq!(machine.time(), year);
     assert!(machine.core.counters.instructions < 3);
-    assert!(machine.core.awake() < 10);
+    assert!(machine.core.clocked() < 10);
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn systick_ends_sleep_to_the_cycle() {
     run_to_breakpoint(&mut machine);
     assert_eq!(machine.core.register(7), 1);
     assert!((1_000_000..1_000_100).contains(&machine.time()), "{}", machine.time());
-    assert!(machine.core.awake() < 100);
+    assert!(machine.core.clocked() < 100);
 }
 
 #[test]

@@ -39,6 +39,8 @@ pub struct Counters {
     pub instructions: u64,
     /// Cycles spent in WFI, WFE or sleep-on-exit.
     pub asleep: u64,
+    /// Of those, cycles in which the core's clock stood still: all, unless DBGMCU_CR keeps it running.
+    pub stopped: u64,
     /// Exceptions entered.
     pub exceptions: u64,
 }
@@ -192,9 +194,9 @@ impl Core {
         self.sleep != Sleep::Awake
     }
 
-    /// Cycles in which the core clock ran: what CYCCNT counts.
-    pub fn awake(&self) -> Cycle {
-        self.cycle - self.counters.asleep
+    /// Cycles in which the core was clocked: what CYCCNT counts.
+    pub fn clocked(&self) -> Cycle {
+        self.cycle - self.counters.stopped
     }
 
     /// APSR, IPSR and EPSR combined (B1.4.2).

@@ -10,6 +10,7 @@
 use emulator::boards::{MotorUpdate, SpeedyBeeF405V3};
 use emulator::chip::Chip;
 use emulator::core::Timing;
+use emulator::log::Log;
 use emulator::machine::symbol_address;
 use emulator::{Machine, Stop};
 use mintime_firmware::watch::{WATCH_BYTES, WATCH_SYMBOL, Watch};
@@ -50,6 +51,8 @@ pub struct BoardReport {
     pub load: f64,
     /// Mistakes of the firmware that the emulator saw.
     pub bugs: Vec<String>,
+    /// What the firmware logged, with when the emulator read it, ns.
+    pub log: Vec<(u64, String)>,
 }
 
 /// A virtual flight controller with a simulated airframe around it.
@@ -65,6 +68,8 @@ pub struct VirtualVehicle {
     observer: Option<Box<dyn FnMut(&Watch) + Send>>,
     flown_ticks: u64,
     counters_at_start: (u64, u64, u64),
+    decoder: Log,
+    log: Vec<(u64, String)>,
 }
 
 impl std::fmt::Debug for VirtualVehicle {
@@ -93,6 +98,8 @@ impl VirtualVehicle {
             observer: None,
             flown_ticks: 0,
             counters_at_start: (0, 0, 0),
+            decoder: Log::new(image),
+            log: Vec::new(),
         })
     }
 
@@ -126,6 +133,7 @@ impl VirtualVehicle {
             latency_ns: latency.map(|l| (l.median_ns, l.jitter_p999_ns)),
             tick_instructions: (counters.instructions - instructions) as f64 / self.flown_ticks.max(1) as f64,
             load: 1.0 - (counters.asleep - asleep) as f64 / cycles,
+            log: self.log.clone(),
             bugs: self.machine.memory.bugs.iter().map(|bug| bug.what.clone()).collect(),
         }
     }
@@ -173,6 +181,11 @@ impl VirtualVehicle {
             && let Ok(bytes) = bytes.try_into()
         {
             self.watch = Watch::from_bytes(bytes);
+        }
+        let logged = self.machine.read_rtt();
+        if !logged.is_empty() {
+            let lines = self.decoder.decode(&logged);
+            self.log.extend(lines.lines().map(|line| (now_ns, line.to_owned())));
         }
         let state = FlightState::from_index(self.watch.state).unwrap_or_default();
         let setpoint = self.watch.output().setpoint;
