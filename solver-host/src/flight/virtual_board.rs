@@ -18,10 +18,13 @@ use mintime_shared::messages::FlightState;
 use mintime_simulator::{Event, ImuSample, Simulator, SimulatorError};
 
 use super::connection::{Connection, ConnectionError, Phase, Pose};
-use super::world::{POSE_TIMEOUT_NS, Scene, Tick, Trace, World};
+use super::world::{POSE_TIMEOUT_NS, Scene, Tick, Trace, World, is_planning_model};
 
 /// The image's tick is looked at this often at least, ns: shorter than a tick, so that none is missed.
-const LOOK_NS: u64 = 600_000;
+const LOOK_NS: u64 = 200_000;
+
+/// One count of the gyro at ±2000 °/s, rad/s.
+const GYRO_STEP_RADPS: f64 = core::f64::consts::PI / 180.0 / 16.384;
 
 /// Why a virtual board cannot be set up.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +73,11 @@ pub struct VirtualVehicle {
     counters_at_start: (u64, u64, u64),
     decoder: Log,
     log: Vec<(u64, String)>,
+    /// The airframe is the planning model, whose sensors have no noise.
+    noiseless: bool,
+    last_bit: f64,
+    /// The firmware has cleared its memory, so that what it notes means something.
+    booted: bool,
 }
 
 impl std::fmt::Debug for VirtualVehicle {
@@ -100,6 +108,9 @@ impl VirtualVehicle {
             counters_at_start: (0, 0, 0),
             decoder: Log::new(image),
             log: Vec::new(),
+            noiseless: is_planning_model(scene.parameters),
+            last_bit: 0.0,
+            booted: false,
         })
     }
 
@@ -180,7 +191,11 @@ impl VirtualVehicle {
         if let Some(bytes) = self.machine.memory.peek(self.watch_at, WATCH_BYTES as u32)
             && let Ok(bytes) = bytes.try_into()
         {
-            self.watch = Watch::from_bytes(bytes);
+            let watch = Watch::from_bytes(bytes);
+            self.booted |= watch == Watch::new();
+            if self.booted {
+                self.watch = watch;
+            }
         }
         let logged = self.machine.read_rtt();
         if !logged.is_empty() {
@@ -226,7 +241,12 @@ impl VirtualVehicle {
     }
 
     fn give_sample(&mut self, time_ns: u64, sample: ImuSample) {
-        let [rates, force] = [sample.rates_radps, sample.specific_force_mps2].map(|v| v.map(f64::from));
+        let [mut rates, force] = [sample.rates_radps, sample.specific_force_mps2].map(|v| v.map(f64::from));
+        if self.noiseless {
+            // The last bit of a real converter never rests, and firmware takes a sensor that repeats itself for broken.
+            self.last_bit = GYRO_STEP_RADPS - self.last_bit;
+            rates[2] += self.last_bit;
+        }
         let battery_v = f64::from(self.world.simulator.battery_v());
         let (chip, memory) = (&mut self.machine.peripherals, &mut self.machine.memory);
         chip.set_battery_v(memory, battery_v);
