@@ -4,12 +4,14 @@
 //! cargo run --release -p emulator --example run -- FILE.elf [--seconds N] [--pessimistic]
 //! ```
 //!
-//! Ends with the program's own exit code (semihosting), 0 when time is up, or 101 after a lock-up.
+//! The chip is an STM32F405 on a board with an 8 MHz crystal and nothing else. Ends with the program's own exit code (semihosting), 0 when time is up, or 101 after a lock-up.
 use std::{io::Write, process::ExitCode, time::Instant};
 
-use emulator::{Machine, NoPeripherals, Stop, core::Timing, log::Log};
+use emulator::chip::{BareBoard, Chip};
+use emulator::{Machine, Stop, core::Timing, log::Log};
 
-const HZ: u64 = 168_000_000;
+/// Output is shown this often in virtual time, ns.
+const LOOK_NS: u64 = 10_000_000;
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let (mut file, mut seconds, mut timing, mut verbose) = (None, 60.0, Timing::Optimistic, false);
@@ -23,22 +25,22 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         }
     }
     let elf = std::fs::read(file.ok_or("which ELF?")?)?;
-    // The one line to change for another set of peripherals.
-    let mut machine = Machine::new(NoPeripherals::default(), timing, 1);
-    // What firmware for 168 MHz sets first thing (RM0090 table 10); with a FLASH peripheral it does so itself.
-    let flash = &mut machine.memory.flash_interface;
-    (flash.latency, flash.prefetch, flash.instruction_cache, flash.data_cache) = (5, true, true, true);
+    let mut machine = Machine::new(Chip::new(BareBoard::default()), timing, 1);
     machine.load_elf(&elf)?;
     let mut log = Log::new(&elf);
     let begun = Instant::now();
-    let end = (seconds * HZ as f64) as u64;
+    let end_ns = (seconds * 1e9) as u64;
+    let mut now_ns = 0;
     let stop = loop {
-        let stop = machine.run_until(end.min(machine.time() + HZ / 100));
+        now_ns = end_ns.min(now_ns + LOOK_NS);
+        // The firmware may change its clocks on the way.
+        let limit = machine.peripherals.clock().cycle(now_ns);
+        let stop = machine.run_until(limit);
         std::io::stdout().write_all(&std::mem::take(&mut machine.output))?;
         let logged = log.decode(&machine.read_rtt());
         std::io::stdout().write_all(logged.as_bytes())?;
         std::io::stdout().flush()?;
-        if stop != Stop::ReachedTime || machine.time() >= end {
+        if stop != Stop::ReachedTime || now_ns >= end_ns {
             break stop;
         }
     };

@@ -22,6 +22,10 @@ fn image() -> FirmwareImage {
     IMAGE.get_or_init(|| FirmwareImage::build(&mut |_| {}).expect("the firmware builds")).clone()
 }
 
+fn on_board() -> VehicleChoice {
+    VehicleChoice::Virtual { image: image(), both_timings: false }
+}
+
 /// Nobody watches.
 struct Unseen;
 
@@ -59,7 +63,7 @@ fn distance_m(a: &PlanarError, b: &PlanarError) -> f64 {
 
 #[test]
 fn the_image_flies_a_diagonal_a_flip_and_a_dash_as_the_hosted_vehicle_does() {
-    let on_board = VehicleChoice::Virtual(image());
+    let on_board = on_board();
     for (x_m, z_m, turns, what) in [
         (5.0, 5.0, Turns::Any, "(5, 5)"),
         (0.0, 4.0, Turns::Any, "a vertical flip"),
@@ -80,7 +84,7 @@ fn the_image_flies_a_diagonal_a_flip_and_a_dash_as_the_hosted_vehicle_does() {
 
 #[test]
 fn on_the_planning_model_the_image_arrives_where_it_should() {
-    let flown = flown(5.0, 5.0, Turns::Any, "ideal", &VehicleChoice::Virtual(image()));
+    let flown = flown(5.0, 5.0, Turns::Any, "ideal", &on_board());
     assert_well_flown(&flown, "(5, 5), ideal");
     let error = flown.final_error().expect("flown");
     // Setpoints take effect a tick's latency late (85 µs); the plan's own speed is 10 m/s at most and its rate 10 rad/s.
@@ -126,7 +130,12 @@ fn what_the_image_computed_is_what_the_library_computes_bit_for_bit() {
         let gave = watch.output();
         let bits = |throttle: Option<[f32; 4]>| throttle.map(|t| t.map(f32::to_bits));
         assert_eq!(bits(got.throttle), bits(gave.throttle), "tick {}", watch.ticks);
-        assert_eq!(got.setpoint.thrust_mps2.to_bits(), gave.setpoint.thrust_mps2.to_bits(), "tick {}", watch.ticks);
+        assert_eq!(
+            got.setpoint.thrust_mps2.to_bits(),
+            gave.setpoint.thrust_mps2.to_bits(),
+            "tick {}",
+            watch.ticks
+        );
         assert_eq!(
             got.setpoint.rates_radps.map(f32::to_bits),
             gave.setpoint.rates_radps.map(f32::to_bits),
@@ -150,7 +159,7 @@ fn what_the_image_computed_is_what_the_library_computes_bit_for_bit() {
 
 #[test]
 fn one_seed_is_one_flight() {
-    let choice = VehicleChoice::Virtual(image());
+    let choice = on_board();
     let fly_once = |seed| {
         let (mission, prepared) = mission(2.0, 0.0, Turns::Any, "nominal", seed);
         fly_mission(&mission, prepared, &choice, &mut Unseen).expect("a flight")

@@ -45,8 +45,8 @@ pub enum VirtualBoardError {
 /// What was measured on the virtual board.
 #[derive(Clone, Debug, Default)]
 pub struct BoardReport {
-    /// From data ready to the end of the last motor's frame, ns: median, and the spread between 0.1 % and 99.9 %, since
-    /// the motors were armed.
+    /// From data ready to the end of the last motor's frame, ns: median, and the distance from it that 99.9 % keep, since
+    /// the vehicle took off.
     pub latency_ns: Option<(u32, u32)>,
     /// Instructions of a control tick, mean.
     pub tick_instructions: f64,
@@ -152,6 +152,25 @@ impl VirtualVehicle {
     /// What has been logged, with the truth of this instant.
     pub fn into_trace(self) -> Trace {
         self.world.into_trace()
+    }
+
+    /// Lets time pass without a host that watches.
+    ///
+    /// # Errors
+    /// [`ConnectionError::Board`].
+    pub fn advance_to(&mut self, ns: u64) -> Result<(), ConnectionError> {
+        while self.world.simulator.next_event_time_ns() <= ns {
+            self.run_to(self.world.simulator.next_event_time_ns())?;
+            if let Some((time_ns, Event::Gyro(sample))) = self.world.simulator.next_event() {
+                self.give_sample(time_ns, sample);
+            }
+        }
+        self.run_to(ns)
+    }
+
+    /// What the firmware has logged since the last call.
+    pub fn take_log(&mut self) -> Vec<(u64, String)> {
+        std::mem::take(&mut self.log)
     }
 
     /// Runs the board up to a time and the airframe with it.
