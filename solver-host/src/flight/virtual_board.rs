@@ -58,6 +58,9 @@ pub struct BoardReport {
     pub log: Vec<(u64, String)>,
 }
 
+/// Is told of each control tick.
+type Observer = Box<dyn FnMut(&Watch) + Send>;
+
 /// A virtual flight controller with a simulated airframe around it.
 pub struct VirtualVehicle {
     world: World,
@@ -68,7 +71,7 @@ pub struct VirtualVehicle {
     sample: Option<(u64, ImuSample)>,
     throttle: [f32; 4],
     /// Called with each tick.
-    observer: Option<Box<dyn FnMut(&Watch) + Send>>,
+    observer: Option<Observer>,
     flown_ticks: u64,
     counters_at_start: (u64, u64, u64),
     decoder: Log,
