@@ -211,7 +211,7 @@ fn crash(kind: &str, mut act: impl FnMut(&mut Board) + 'static) -> Stopped {
     println!("{kind}: {seen:?}");
     assert!(seen.told_ms.is_some_and(|ms| ms < 0.5), "{seen:?}");
     assert!(seen.reset_ms.is_some_and(|ms| ms < 1.0), "{seen:?}");
-    assert!(seen.low_ms.is_some_and(|ms| ms < 5.0), "{seen:?}");
+    assert!(seen.low_ms.is_some_and(|ms| ms < 1.0), "{seen:?}");
     seen
 }
 
