@@ -301,3 +301,50 @@ fn a_seed_repeats_itself_to_the_byte() {
     assert_eq!(first, again);
     assert!(first.0 != other.0 && first.1 != other.1);
 }
+
+// ------------------------------------------------------------------------------------------------------------ the link
+
+/// A second of noise, noisy bytes and breaks on the line of a board that stands: nothing turns, nothing hangs.
+#[test]
+fn noise_on_the_line_moves_no_motor() {
+    let mut bench = Bench::real(11);
+    bench.pass_ms(4000);
+    let mut state = 1;
+    for _ in 0..50 {
+        let chip = &mut bench.board().peripherals;
+        let ns = chip.clock().ns(chip.now());
+        let bytes: Vec<u8> = (0..1500).map(|_| (xorshift(&mut state) >> 32) as u8).collect();
+        chip.link_send(ns, &bytes);
+        chip.serial_send_noisy(1, ns, 0x55);
+        chip.serial_break(1, ns, 300_000);
+        bench.pass_ms(20);
+    }
+    bench.pass_ms(100);
+    let telemetry = bench.status();
+    assert_eq!(telemetry.state, FlightState::Disarmed);
+    assert!(telemetry.link_errors > 50, "{telemetry:?}");
+    assert!(!bench.ever_turned());
+    assert_eq!(bench.log().reset_causes(), ["PowerOn"]);
+}
+
+/// The same in flight, in bursts between the host's frames: it flies on.
+#[test]
+fn noise_on_the_line_does_not_end_a_flight() {
+    let mut bench = Bench::real(12);
+    for burst in 0..100 {
+        let mut state = 77 + burst;
+        bench = bench.then(Phase::Hover, burst * 30, move |vehicle| {
+            let chip = &mut vehicle.machine_mut().peripherals;
+            let ns = chip.clock().ns(chip.now());
+            let bytes: Vec<u8> = (0..200).map(|_| (xorshift(&mut state) >> 32) as u8).collect();
+            chip.link_send(ns, &bytes);
+            chip.serial_send_noisy(1, ns, 0x55);
+            chip.serial_break(1, ns, 150_000);
+        });
+    }
+    let result = bench.assert_flies();
+    assert_eq!(result.missed_ticks, 0);
+    let telemetry = bench.status();
+    assert!(telemetry.link_errors > 50, "{telemetry:?}");
+    assert_eq!(bench.bugs(), [""; 0]);
+}
