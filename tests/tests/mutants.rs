@@ -197,6 +197,7 @@ fn mutant(name: &str) -> Bench {
 fn the_real_image_passes_every_check() {
     let mut bench = Bench::real(1);
     bench.assert_flies();
+    println!("{:?}", bench.vehicle.report());
     assert_eq!(bench.bugs(), [""; 0]);
     assert!(worst_latency_ns(&bench) < LATENCY_BUDGET_NS, "{} ns", worst_latency_ns(&bench));
 }
