@@ -9,7 +9,7 @@
 //! | control tick | 1250 µs | 1250 µs | the flight logic is one bounded function; link work per tick is capped in bytes | counted, later ticks keep their times |
 //! | no edge from the gyro | – | 1875 µs | a timer | the flight logic runs without a sample |
 //! | motors' frame is finished | 1250 µs | the next tick | a DMA stream and its interrupt | counted, timer and stream reset |
-//! | received bytes leave the DMA ring | ≤ 2 ms | 11 ms | ring of 1024 bytes at 92 bytes a millisecond | overrun counted, the damaged frame is dropped by its checksum |
+//! | received bytes leave the DMA ring | 1 ms | 11 ms | ring of 1024 bytes at 92 bytes a millisecond | the damaged frames are dropped by their checksum |
 //! | one burst on the wire | – | 20 ms | 256 bytes take 2.8 ms | burst given up, counted |
 //! | supervision: check-ins, battery, LED | 20 ms | 64 ms | no waits inside | the watchdog resets the board |
 //! | start-up, clocks included | once | 349 ms | – | the watchdog resets the board |

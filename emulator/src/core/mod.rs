@@ -179,6 +179,15 @@ impl Core {
         if number >= 15 { self.pc } else { self.r[usize::from(number)] }
     }
 
+    /// Sets register `number` (0..=12, 14 or 15) as a debugger does; 15 is where execution goes on. Others stay.
+    pub fn set_register(&mut self, number: u8, value: u32) {
+        match number {
+            0..=12 | 14 => self.r[usize::from(number)] = value,
+            15 => (self.pc, self.it) = (value & !1, 0),
+            _ => {}
+        }
+    }
+
     /// A single register of the floating-point extension as bits; 0 past S31.
     pub fn float_register(&self, number: u8) -> u32 {
         self.s.get(usize::from(number)).copied().unwrap_or(0)

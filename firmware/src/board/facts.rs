@@ -140,6 +140,11 @@ bind_interrupts!(pub(super) struct Irqs {
 /// Link speed [baud]. At 84 MHz the divider gives 923,077: 0.16 % fast, and a UART tolerates about 2 %.
 pub(super) const LINK_BAUD: u32 = 921_600;
 
+/// Stream of DMA2 that receives, ...
+pub(super) const LINK_RX_DMA_STREAM: usize = 2;
+/// ... and its channel.
+pub(super) const LINK_RX_DMA_CHANNEL: u8 = 4;
+
 /// Level that lights the LED.
 pub(super) const LED_ON: Level = Level::Low;
 /// Level that darkens it.

@@ -14,7 +14,7 @@ use emulator::log::Log;
 use emulator::machine::symbol_address;
 use emulator::{Machine, Stop};
 use mintime_firmware::watch::{WATCH_BYTES, WATCH_SYMBOL, Watch};
-use mintime_shared::messages::FlightState;
+use mintime_shared::messages::{FlightState, Setpoint};
 use mintime_simulator::{Event, ImuSample, Simulator, SimulatorError};
 
 use super::connection::{Connection, ConnectionError, Phase, Pose};
@@ -61,6 +61,9 @@ pub struct BoardReport {
 /// Is told of each control tick.
 type Observer = Box<dyn FnMut(&Watch) + Send>;
 
+/// Is told of each frame for a motor.
+type MotorObserver = Box<dyn FnMut(&MotorUpdate) + Send>;
+
 /// A virtual flight controller with a simulated airframe around it.
 pub struct VirtualVehicle {
     world: World,
@@ -72,6 +75,8 @@ pub struct VirtualVehicle {
     throttle: [f32; 4],
     /// Called with each tick.
     observer: Option<Observer>,
+    /// Called with each frame for a motor.
+    motor_observer: Option<MotorObserver>,
     flown_ticks: u64,
     counters_at_start: (u64, u64, u64),
     decoder: Log,
@@ -107,6 +112,7 @@ impl VirtualVehicle {
             sample: None,
             throttle: [0.0; 4],
             observer: None,
+            motor_observer: None,
             flown_ticks: 0,
             counters_at_start: (0, 0, 0),
             decoder: Log::new(image),
@@ -120,6 +126,11 @@ impl VirtualVehicle {
     /// Calls `observer` with what each control tick got and gave.
     pub fn observe(&mut self, observer: impl FnMut(&Watch) + Send + 'static) {
         self.observer = Some(Box::new(observer));
+    }
+
+    /// Calls `observer` with each frame that a speed controller got.
+    pub fn observe_motors(&mut self, observer: impl FnMut(&MotorUpdate) + Send + 'static) {
+        self.motor_observer = Some(Box::new(observer));
     }
 
     /// Virtual time, ns.
@@ -228,6 +239,9 @@ impl VirtualVehicle {
         let setpoint = self.watch.output().setpoint;
         let updates: Vec<MotorUpdate> = self.machine.peripherals.board_mut().drain_motor_updates().collect();
         for update in updates {
+            if let Some(observer) = &mut self.motor_observer {
+                observer(&update);
+            }
             self.throttle[update.motor] = update.throttle.unwrap_or(0.0) as f32;
             if update.motor + 1 < self.throttle.len() {
                 continue;
@@ -237,6 +251,7 @@ impl VirtualVehicle {
             let time_ns = self.sample.as_ref().map_or(update.ns, |(ns, _)| *ns);
             self.world.command(&Tick { time_ns, sample: None, state, setpoint, throttle: self.throttle });
         }
+        self.time_out_motors(now_ns, state, setpoint);
         if self.watch.ticks == before {
             return;
         }
@@ -252,6 +267,25 @@ impl VirtualVehicle {
         }
         if let Some(observer) = &mut self.observer {
             observer(&self.watch);
+        }
+    }
+
+    /// A speed controller that gets no frames stops its motor.
+    fn time_out_motors(&mut self, now_ns: u64, state: FlightState, setpoint: Setpoint) {
+        let mut silent = false;
+        for (throttle, motor) in self.throttle.iter_mut().zip(self.machine.peripherals.motors(now_ns)) {
+            silent |= *throttle > 0.0 && motor.throttle.is_none();
+            *throttle = if motor.throttle.is_none() { 0.0 } else { *throttle };
+        }
+        if silent {
+            self.world.simulator.advance_to(now_ns);
+            self.world.command(&Tick {
+                time_ns: now_ns,
+                sample: None,
+                state,
+                setpoint,
+                throttle: self.throttle,
+            });
         }
     }
 
