@@ -78,6 +78,10 @@ pub trait Peripherals {
     fn clocks_core_in_sleep(&self) -> bool {
         false
     }
+    /// Level of the line of the non-maskable interrupt.
+    fn non_maskable(&self) -> bool {
+        false
+    }
     /// Whether the chip resets now, once; after it the machine calls [`reset`](Self::reset).
     fn take_reset(&mut self) -> bool;
     /// A system reset: registers to their reset values (those that survive one stay), memory is left alone.

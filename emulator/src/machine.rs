@@ -84,6 +84,8 @@ pub struct Machine<P> {
     /// Core clock, for semihosting's clock; Hz.
     pub clock_hz: u64,
     symbols: image::Symbols,
+    /// Level of the non-maskable interrupt's line when last looked at.
+    non_maskable: bool,
 }
 
 /// Nothing outside the core: for bare programs, and for test images built for other Cortex-M boards (linked at 0, RAM
@@ -136,6 +138,7 @@ impl<P: Peripherals> Machine<P> {
             last_fault: None,
             clock_hz: 168_000_000,
             symbols: image::Symbols::default(),
+            non_maskable: false,
         }
     }
 
@@ -209,6 +212,11 @@ impl<P: Peripherals> Machine<P> {
         if lines != self.core.nvic.lines() {
             self.core.set_lines(lines);
         }
+        let non_maskable = self.peripherals.non_maskable();
+        if non_maskable && !std::mem::replace(&mut self.non_maskable, non_maskable) {
+            self.core.pend_non_maskable();
+        }
+        self.non_maskable = non_maskable;
         if self.core.systick.next_event() <= now {
             self.core.count_systick();
         }

@@ -238,6 +238,24 @@ fn a_stuck_interrupt_stops_the_motors_within_a_millisecond() {
     });
 }
 
+/// The chip goes on with its internal oscillator: stop frames come too slowly to be any, the low lines must do. A speed
+/// controller that misses its signal stops by itself.
+#[test]
+fn a_crystal_that_stops_ends_in_low_lines() {
+    let bench = Bench::real(6).then(Phase::Hover, IN_HOVER_MS, |vehicle| {
+        let board = vehicle.machine_mut();
+        board.peripherals.fail_crystal(&mut board.memory, true);
+        let seen = stopped(vehicle);
+        println!("crystal: {seen:?}");
+        assert!(seen.low_ms.is_some_and(|ms| ms < 6.0), "{seen:?}");
+        // It comes back, or nobody would hear of the vehicle again.
+        let board = vehicle.machine_mut();
+        board.peripherals.fail_crystal(&mut board.memory, false);
+    });
+    let after_ms = reset_in_flight(bench, "Software", &["ClockLost"]);
+    println!("crystal: motors off after {after_ms:.1} ms");
+}
+
 /// A word of code that rots stays rotten: the board crashes whenever it gets there, and never turns a motor again.
 #[test]
 fn a_rotten_word_of_code_keeps_the_motors_off() {

@@ -199,6 +199,10 @@ impl<B: Board> Peripherals for Chip<B> {
         self.minor.debug_sleep()
     }
 
+    fn non_maskable(&self) -> bool {
+        self.rcc.nmi()
+    }
+
     fn take_reset(&mut self) -> bool {
         match self.reset_cause.take() {
             Some(cause) => {

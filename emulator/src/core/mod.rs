@@ -193,6 +193,12 @@ impl Core {
         self.s.get(usize::from(number)).copied().unwrap_or(0)
     }
 
+    /// Pends the non-maskable interrupt, which ends any sleep.
+    pub(crate) fn pend_non_maskable(&mut self) {
+        self.nvic.pending |= nvic::bit(nvic::NMI);
+        self.event = true;
+    }
+
     /// Number of the exception being handled (IPSR); 0 in thread mode.
     pub fn exception_number(&self) -> u16 {
         self.ipsr

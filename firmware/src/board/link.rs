@@ -4,8 +4,9 @@
 //! a bound, and both tasks check in with the watchdog every round.
 //!
 //! Reception never stops: a disturbed byte is counted and goes into the ring like any other, where the checksum of its
-//! frame finds it. The HAL's ring would stop its stream at every such byte and start it again with the counter where it
-//! stood, out of step with the ring for good.
+//! frame finds it. The HAL's ring would stop its stream at every such byte and start it again with address and counter
+//! not set anew, which the reference manual does not promise to keep in step (on the virtual board it does not), and on
+//! a busy line it would find an overrun at each new start and stop again.
 #![allow(unsafe_code)]
 
 use core::sync::atomic::{AtomicU8, AtomicU32, Ordering};
