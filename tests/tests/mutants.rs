@@ -243,7 +243,7 @@ fn a_wrong_stream_moves_no_motor() {
     bench.pass_ms(300);
     bench.assert_bug("no peripheral asks on DMA1 stream 5 channel 2");
     let log = bench.log();
-    assert!(log.crashes().contains(&"UnexpectedInterrupt"), "{:?}", log.texts());
+    assert!(log.crashes().contains(&"UnexpectedInterrupt"), "{:?}", log.0);
     assert!(!bench.ever_turned());
 }
 

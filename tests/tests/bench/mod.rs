@@ -54,7 +54,7 @@ pub(crate) struct Bench {
     /// When the last act was done, ns.
     pub(crate) broken_ns: Option<u64>,
     /// What the firmware wrote into its log.
-    pub(crate) logged: Vec<u8>,
+    pub(crate) logged: Vec<String>,
     link: std::hash::DefaultHasher,
     client: Client,
 }
@@ -203,7 +203,7 @@ impl Bench {
 
     /// What the firmware has logged so far.
     pub(crate) fn log(&self) -> log::Log {
-        log::Log::new(&self.logged, &self.symbols)
+        log::Log(self.logged.clone())
     }
 
     /// Mistakes that the emulator saw.
@@ -266,8 +266,8 @@ impl Connection for Bench {
             self.broken_ns = Some(now);
         }
         let pose = self.vehicle.next_pose();
-        let written = self.vehicle.machine_mut().read_rtt();
-        self.logged.extend(written);
+        let lines = self.vehicle.take_log();
+        self.logged.extend(lines.into_iter().map(|(_, line)| line));
         pose
     }
 
