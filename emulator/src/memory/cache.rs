@@ -39,11 +39,13 @@ impl DataCache {
     }
 }
 
-/// Lines of the instruction cache with the time of their last use, and what prefetch has under way.
+/// Lines of the instruction cache with their last uses, and what prefetch has under way.
 #[derive(Clone, Debug)]
 pub(super) struct InstructionCache {
     lines: [u32; INSTRUCTION_LINES],
-    used: [Cycle; INSTRUCTION_LINES],
+    /// When each was used last, counted in fetches. Signed, because the least of those is found quickest.
+    used: [i32; INSTRUCTION_LINES],
+    fetches: i32,
     /// For every line of flash its place above plus one; 0: not held.
     places: Box<[u8]>,
     /// The line fetched last, and when it had arrived.
@@ -56,6 +58,7 @@ impl Default for InstructionCache {
         Self {
             lines: [NONE; INSTRUCTION_LINES],
             used: [0; INSTRUCTION_LINES],
+            fetches: 0,
             places: vec![0; (FLASH_BYTES / LINE) as usize].into(),
             previous: NONE - 1,
             since: 0,
@@ -86,19 +89,30 @@ impl InstructionCache {
             latency
         };
         if let Some(place) = held {
-            self.used[place] = now;
+            self.used[place] = self.stamp();
         } else if caching {
-            self.replace(line, now);
+            self.replace(line);
         }
         self.previous = line;
         self.since = now + wait;
         wait
     }
 
+    /// The time of a use.
+    fn stamp(&mut self) -> i32 {
+        if self.fetches == i32::MAX {
+            // Once in many hours the order of uses is forgotten.
+            (self.fetches, self.used) = (0, [0; INSTRUCTION_LINES]);
+        }
+        self.fetches += 1;
+        self.fetches
+    }
+
     /// Puts `line` where the line least recently used was.
     #[cold]
-    fn replace(&mut self, line: u32, now: Cycle) {
-        let place = (0..INSTRUCTION_LINES).min_by_key(|&place| self.used[place]).unwrap_or(0);
+    fn replace(&mut self, line: u32) {
+        let oldest = self.used.iter().fold(i32::MAX, |least, &used| least.min(used));
+        let place = self.used.iter().position(|&used| used == oldest).unwrap_or(0);
         if let Some(held) = self.places.get_mut(self.lines[place] as usize) {
             *held = 0;
         }
@@ -106,6 +120,6 @@ impl InstructionCache {
             *held = place as u8 + 1;
         }
         self.lines[place] = line;
-        self.used[place] = now;
+        self.used[place] = self.stamp();
     }
 }
