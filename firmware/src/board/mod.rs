@@ -42,21 +42,17 @@ fn start() -> ! {
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);
-    let Ok(link) = link::open(parts.link) else { fault::set_up_failed(line!()) };
+    let Ok((receiver, transmitter)) = link::open(parts.link) else { fault::set_up_failed(line!()) };
 
-    control::start(dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
+    control::start(receiver, dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
     let crashed = crash.is_some();
     idle::run(|spawner| {
-        let (Ok(gyro), Ok(receive), Ok(transmit), Ok(supervise)) = (
-            imu::set_up(parts.gyro),
-            link::receive(link.rx),
-            link::transmit(link.tx),
-            supervision::run(battery, led, crashed),
-        ) else {
+        let (Ok(gyro), Ok(transmit), Ok(supervise)) =
+            (imu::set_up(parts.gyro), link::transmit(transmitter), supervision::run(battery, led, crashed))
+        else {
             fault::set_up_failed(line!())
         };
         spawner.spawn(gyro);
-        spawner.spawn(receive);
         spawner.spawn(transmit);
         spawner.spawn(supervise);
     })
