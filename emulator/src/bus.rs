@@ -74,6 +74,14 @@ pub trait Peripherals {
     fn advance(&mut self, memory: &mut Memory, now: Cycle);
     /// Levels of the interrupt lines; bit n is IRQ n (RM0090 table 62). Cheap: called after every access and advance.
     fn interrupt_lines(&self) -> u128;
+    /// Whether the core's clock goes on while it sleeps, so that a debugger finds it (DBGMCU_CR.DBG_SLEEP).
+    fn clocks_core_in_sleep(&self) -> bool {
+        false
+    }
+    /// Level of the line of the non-maskable interrupt.
+    fn non_maskable(&self) -> bool {
+        false
+    }
     /// Whether the chip resets now, once; after it the machine calls [`reset`](Self::reset).
     fn take_reset(&mut self) -> bool;
     /// A system reset: registers to their reset values (those that survive one stay), memory is left alone.

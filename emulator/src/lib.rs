@@ -12,12 +12,14 @@
 //! ```
 //!
 //! One thread, one clock: time is counted in cycles of the core clock ([`bus::Cycle`]). Nothing depends on the host's
-//! time, so that the same image and the same inputs give the same bytes.
+//! time, so that the same image and the same inputs give the same bytes. [`Machine`] puts the parts together; the core
+//! is checked against QEMU by the programs in `oracle/`.
 pub mod boards;
 pub mod bus;
 pub mod chip;
 pub mod core;
 pub mod devices;
+pub mod log;
 pub mod machine;
 pub mod memory;
 

@@ -8,7 +8,7 @@ use crate::{
     memory::Memory,
 };
 
-pub use image::{ImageError, flash_content, symbol_address};
+pub use image::{ImageError, flash_content, symbol_address, symbols};
 
 /// Why [`Machine::run_until`] returned.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -84,6 +84,8 @@ pub struct Machine<P> {
     /// Core clock, for semihosting's clock; Hz.
     pub clock_hz: u64,
     symbols: image::Symbols,
+    /// Level of the non-maskable interrupt's line when last looked at.
+    non_maskable: bool,
 }
 
 /// Nothing outside the core: for bare programs, and for test images built for other Cortex-M boards (linked at 0, RAM
@@ -136,6 +138,7 @@ impl<P: Peripherals> Machine<P> {
             last_fault: None,
             clock_hz: 168_000_000,
             symbols: image::Symbols::default(),
+            non_maskable: false,
         }
     }
 
@@ -207,19 +210,20 @@ impl<P: Peripherals> Machine<P> {
         }
         let lines = self.peripherals.interrupt_lines();
         if lines != self.core.nvic.lines() {
-            let before = self.core.nvic.pending;
-            self.core.nvic.set_lines(lines);
-            if self.core.scs.sends_event_on_pend() && before != self.core.nvic.pending {
-                self.core.event = true;
-            }
+            self.core.set_lines(lines);
         }
+        let non_maskable = self.peripherals.non_maskable();
+        if non_maskable && !std::mem::replace(&mut self.non_maskable, non_maskable) {
+            self.core.pend_non_maskable();
+        }
+        self.non_maskable = non_maskable;
         if self.core.systick.next_event() <= now {
             self.core.count_systick();
         }
         if self.peripherals.take_reset() {
             self.core.reset(&mut self.memory);
             self.peripherals.reset(&mut self.memory, now);
-            self.core.nvic.set_lines(self.peripherals.interrupt_lines());
+            self.core.set_lines(self.peripherals.interrupt_lines());
         }
         if self.memory.has_changes() || self.memory.flash_interface.busy_until > now {
             self.core.follow_flash(&mut self.memory);
@@ -230,7 +234,8 @@ impl<P: Peripherals> Machine<P> {
     fn sleep(&mut self, limit: Cycle) {
         let core = &mut self.core;
         let wakes = match core.sleep {
-            Sleep::Event => std::mem::take(&mut core.event) || core.wakes(),
+            // Unlike WFI, WFE waits for what PRIMASK lets through (B1.5.18).
+            Sleep::Event => std::mem::take(&mut core.event) || core.exception_to_take().is_some(),
             _ => core.wakes(),
         };
         if wakes {
@@ -240,6 +245,9 @@ impl<P: Peripherals> Machine<P> {
         let next =
             limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
         core.counters.asleep += next - core.cycle;
+        if !self.peripherals.clocks_core_in_sleep() {
+            core.counters.stopped += next - core.cycle;
+        }
         core.cycle = next;
     }
 

@@ -164,7 +164,13 @@ pub enum VehicleChoice {
     /// The flight logic in this process.
     Hosted,
     /// A firmware image on the virtual board.
-    Virtual(FirmwareImage),
+    Virtual {
+        /// What runs on it.
+        image: FirmwareImage,
+        /// Fly a twin beside it, on another processor core, whose emulated processor is as fast as can be: for both ends of
+        /// every figure that depends on it. The twin's flight is not reported.
+        both_timings: bool,
+    },
 }
 
 impl VehicleChoice {
@@ -172,12 +178,13 @@ impl VehicleChoice {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Hosted => "hosted",
-            Self::Virtual(_) => "virtual",
+            Self::Virtual { .. } => "virtual",
         }
     }
 }
 
-/// What the emulator measured on the flying board. Pairs are (optimistic, pessimistic) about the processor's timing.
+/// What the emulator measured on the flying board. Pairs are (optimistic, pessimistic) about the processor's timing; NaN
+/// where it was not measured.
 #[derive(Clone, Debug)]
 pub struct EmulatedFlight {
     /// SHA-256 of the image, hexadecimal.
@@ -186,7 +193,7 @@ pub struct EmulatedFlight {
     pub real_time_factor: f64,
     /// Data ready to the end of the last motor frame, median, µs.
     pub latency_us: [f64; 2],
-    /// Its spread from 0.1 % to 99.9 %, µs.
+    /// Distance from the median that 99.9 % keep, µs.
     pub jitter_us: [f64; 2],
     /// What else was measured, in pessimistic timing.
     pub board: BoardReport,
@@ -501,7 +508,9 @@ pub fn fly_mission(
             let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
             (flight, vehicle.into_trace(), virtual_time_s, None)
         }
-        VehicleChoice::Virtual(image) => fly_virtual(&scene, &plan, image, witness)?,
+        VehicleChoice::Virtual { image, both_timings } => {
+            fly_virtual(&scene, &plan, image, *both_timings, witness)?
+        }
     };
     Ok(Flown {
         prepared,
@@ -516,25 +525,29 @@ pub fn fly_mission(
 
 type FlownBoard = (Result<FlightResult, FlightError>, Trace, f64, Option<EmulatedFlight>);
 
-/// Flies on the virtual board, with pessimistic timing; a twin on the other processor core flies the same with optimistic
-/// timing, to tell both ends of what a real board would take.
+/// Flies on the virtual board, with pessimistic timing.
 fn fly_virtual(
     scene: &Scene<'_>,
     plan: &FlightPlan,
     image: &FirmwareImage,
+    both_timings: bool,
     witness: &mut impl Witness,
 ) -> Result<FlownBoard, MissionError> {
     let mut vehicle = VirtualVehicle::new(scene, image.elf(), Timing::Pessimistic)?;
-    let mut twin = VirtualVehicle::new(scene, image.elf(), Timing::Optimistic)?;
+    let twin =
+        both_timings.then(|| VirtualVehicle::new(scene, image.elf(), Timing::Optimistic)).transpose()?;
     let (flight, wall_s, optimistic) = std::thread::scope(|scope| {
-        let twin = scope.spawn(|| {
-            // Its outcome is nobody's business: only its timing is.
-            let _ = fly(&mut twin, plan, &mut Unseen);
-            twin.report()
+        let twin = twin.map(|mut twin| {
+            scope.spawn(move || {
+                // Its outcome is nobody's business: only its timing is.
+                let _ = fly(&mut twin, plan, &mut Unseen);
+                twin.report()
+            })
         });
         let clock = Instant::now();
         let flight = fly(&mut vehicle, plan, witness);
-        (flight, clock.elapsed().as_secs_f64(), twin.join().unwrap_or_default())
+        let wall_s = clock.elapsed().as_secs_f64();
+        (flight, wall_s, twin.and_then(|twin| twin.join().ok()).unwrap_or_default())
     });
     let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
     let board = vehicle.report();

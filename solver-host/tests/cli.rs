@@ -45,7 +45,8 @@ fn fly_json_has_the_fields_of_the_interface() {
     assert_eq!(at("/maneuver/turns"), 0);
     assert!(at("/maneuver/table_bytes").as_u64().expect("a count") <= 128);
     assert_eq!(at("/maneuver/verified"), true);
-    assert_eq!(at("/vehicle/kind"), "hosted");
+    assert_eq!(at("/vehicle/kind"), "virtual");
+    assert_eq!(at("/vehicle/image_sha256").as_str().expect("a text").len(), 64);
     assert_eq!(at("/vehicle/firmware_version"), env!("CARGO_PKG_VERSION"));
     assert_eq!(at("/vehicle/protocol_version"), 2);
     assert_eq!(at("/flight/outcome"), "completed");
@@ -58,6 +59,18 @@ fn fly_json_has_the_fields_of_the_interface() {
             assert!(at(&format!("/flight/{error}/{field}")).is_f64(), "{error}.{field}");
         }
     }
+    for (field, least, most) in
+        [("real_time_factor", 0.1, 1e3), ("tick_instructions", 1e3, 2e4), ("load", 0.02, 0.15)]
+    {
+        let value = at(&format!("/flight/{field}")).as_f64().expect("a number");
+        assert!((least..most).contains(&value), "{field}: {value}");
+    }
+    for field in ["latency_us", "jitter_us"] {
+        let pair = at(&format!("/flight/{field}"));
+        let [optimistic, pessimistic] = [0, 1].map(|i| pair[i].as_f64().expect("a number"));
+        assert!(optimistic >= 0.0 && pessimistic < 120.0, "{field}: {pair}");
+    }
+    assert_eq!(at("/flight/firmware_bugs"), serde_json::json!([]));
     assert!(at("/virtual_time_s").as_f64() > Some(5.0));
     assert!(at("/wall_time_s").is_f64());
     assert_eq!((at("/log"), at("/report")), ("flight.mcap".into(), "flight.svg".into()));
@@ -70,8 +83,8 @@ fn fly_json_has_the_fields_of_the_interface() {
 fn one_seed_gives_one_log_byte_by_byte_and_another_seed_another() {
     let folder = tempfile::tempdir().expect("a folder");
     let fly = |seed: &str, log: &str| {
-        let arguments = ["fly", "--to", "0,3", "--seed", seed, "--log", log, "--report", "r.png"];
-        assert_success(&mintime(folder.path(), &arguments));
+        let arguments = ["fly", "--vehicle", "hosted", "--to", "0,3", "--seed", seed, "--log", log];
+        assert_success(&mintime(folder.path(), &[&arguments[..], &["--report", "r.png"]].concat()));
         std::fs::read(folder.path().join(log)).expect("a log")
     };
     let first = fly("3", "a.mcap");
@@ -83,9 +96,12 @@ fn one_seed_gives_one_log_byte_by_byte_and_another_seed_another() {
 #[test]
 fn a_saved_table_flies_again_and_a_damaged_one_does_not() {
     let folder = tempfile::tempdir().expect("a folder");
-    let saved = ["fly", "--to", "-3,4", "--plant", "ideal", "--save-table", "t.bin"];
+    let saved = ["fly", "--vehicle", "hosted", "--to", "-3,4", "--plant", "ideal", "--save-table", "t.bin"];
     assert_success(&mintime(folder.path(), &saved));
-    let output = mintime(folder.path(), &["fly", "--table", "t.bin", "--plant", "ideal", "--json"]);
+    let output = mintime(
+        folder.path(),
+        &["fly", "--vehicle", "hosted", "--table", "t.bin", "--plant", "ideal", "--json"],
+    );
     assert_success(&output);
     assert_eq!(json(&output).pointer("/maneuver/verified"), Some(&Value::Bool(false)));
 
@@ -101,7 +117,7 @@ fn a_saved_table_flies_again_and_a_damaged_one_does_not() {
 
 #[test]
 fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
-    let cases: [(&[&str], &str); 18] = [
+    let cases: [(&[&str], &str); 23] = [
         (&["fly", "--to", "nan,5"], "not finite"),
         (&["fly", "--to", "5,inf"], "not finite"),
         (&["fly", "--to", "5"], "2 numbers"),
@@ -120,6 +136,11 @@ fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
         (&["fly", "--to", "5,5", "--log", "no/such/folder.mcap"], "no/such"),
         (&["fly", "--to", "5,5", "--report", "picture.gif"], ".svg"),
         (&["fly", "--to", "5,5", "--log", "a.svg", "--report", "./a.svg"], "two outputs"),
+        (&["fly", "--to", "5,5", "--firmware", "no-such.elf"], "no-such.elf"),
+        (&["fly", "--to", "5,5", "--firmware", "."], "cargo firmware"),
+        (&["fly", "--to", "5,5", "--vehicle", "hosted", "--firmware", "x.elf"], "no image"),
+        (&["virtual-board", "--firmware", "no-such.elf"], "no-such.elf"),
+        (&["virtual-board", "--seconds", "-1"], "positive"),
     ];
     for (arguments, expected) in cases {
         let text = refusal(arguments);
@@ -367,4 +388,67 @@ fn a_straight_push_is_its_own_lower_bound() {
     assert!((certificate["lower_bound_s"].as_f64().expect("a number") - 0.5).abs() < 1e-6);
     assert_eq!((&certificate["verified"], &certificate["degenerate"]), (&true.into(), &true.into()));
     assert_success(&mintime(folder.path(), &["verify", "up.table"]));
+}
+
+/// A serial program talks to the virtual vehicle through the pseudo-terminal.
+#[cfg(unix)]
+#[test]
+fn the_virtual_board_answers_on_a_serial_port() {
+    use std::io::{BufRead as _, BufReader, Read as _, Write as _};
+    use std::time::Instant;
+
+    use mintime::flight::{Client, Connection, ConnectionError, Phase, Pose};
+    use mintime_shared::messages::{Reply, Request};
+
+    struct SerialPort(std::fs::File);
+
+    impl Connection for SerialPort {
+        fn next_pose(&mut self) -> Result<Pose, ConnectionError> {
+            Err(ConnectionError::NoPose)
+        }
+
+        fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError> {
+            Ok(self.0.write_all(bytes)?)
+        }
+
+        fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
+            // Telemetry comes all the time, so this does not wait long.
+            let mut bytes = [0; 256];
+            let count = self.0.read(&mut bytes)?;
+            into.extend_from_slice(&bytes[..count]);
+            Ok(())
+        }
+
+        fn enter(&mut self, _: Phase) {}
+    }
+
+    let folder = tempfile::tempdir().expect("a folder");
+    let link = folder.path().join("vehicle");
+    let mut board = std::process::Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(["virtual-board", "--seconds", "20", "--link"])
+        .arg(&link)
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("the command");
+    let mut line = String::new();
+    BufReader::new(board.stdout.take().expect("piped")).read_line(&mut line).expect("a line");
+    assert_eq!(line.trim(), format!("serial port {}", link.display()));
+
+    let mut port = SerialPort(std::fs::File::options().read(true).write(true).open(&link).expect("a port"));
+    let mut client = Client::default();
+    let begun = Instant::now();
+    client.ask(&mut port, Request::Identify, 0.0).expect("sent");
+    let answer = loop {
+        let now_s = begun.elapsed().as_secs_f64();
+        assert!(now_s < 15.0, "no answer");
+        if let Some(reply) = client.poll(&mut port, now_s).expect("a line that works") {
+            break reply;
+        }
+    };
+    board.kill().expect("running");
+    board.wait().expect("ended");
+    assert!(
+        matches!(answer, Reply::Identity(identity) if identity.firmware_version == [0, 1, 0]),
+        "{answer:?}"
+    );
 }

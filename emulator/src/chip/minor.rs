@@ -141,6 +141,11 @@ impl Minor {
         }
     }
 
+    /// DBGMCU_CR.DBG_SLEEP (RM0090 section 38.16.3).
+    pub(crate) fn debug_sleep(&self) -> bool {
+        self.debug[0] & 1 != 0
+    }
+
     pub(crate) fn read_debug(&self, offset: u32) -> u32 {
         match offset {
             0x00 => IDCODE,

@@ -195,6 +195,14 @@ impl<B: Board> Peripherals for Chip<B> {
         self.lines
     }
 
+    fn clocks_core_in_sleep(&self) -> bool {
+        self.minor.debug_sleep()
+    }
+
+    fn non_maskable(&self) -> bool {
+        self.rcc.nmi()
+    }
+
     fn take_reset(&mut self) -> bool {
         match self.reset_cause.take() {
             Some(cause) => {

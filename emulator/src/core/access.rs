@@ -1,12 +1,9 @@
 //! Loads and stores: memory at once, everything else through slower and slower paths (B3.1, RM0090 section 2.3).
 use crate::{
-    bus::{Access, AccessError, Master, Peripherals, Width},
+    bus::{Access, AccessError, Peripherals, Width},
     core::{Core, Fault, cost::Timing},
     memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES},
 };
-
-/// The core, as a bus master.
-pub(crate) const MASTER: Master = Master::Core;
 
 /// Reads a little-endian value of up to four bytes; `None` past the end.
 #[inline(always)]
@@ -200,8 +197,7 @@ impl Core {
         self.deadline = self.deadline.min(peripherals.next_event());
         let lines = peripherals.interrupt_lines();
         if lines != self.nvic.lines() {
-            self.nvic.set_lines(lines);
-            self.deadline = 0;
+            self.set_lines(lines);
         }
         memory.flash_interface.forget_recent();
         if memory.flash_interface.busy_until > self.cycle || memory.has_changes() {

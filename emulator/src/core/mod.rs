@@ -6,6 +6,7 @@ mod cost;
 mod decode;
 mod exception;
 mod execute;
+mod fault;
 mod float;
 mod nvic;
 mod op;
@@ -15,9 +16,9 @@ mod system;
 mod systick;
 
 pub use cost::Timing;
-pub use exception::Fault;
-pub(crate) use exception::Lockup;
 pub(crate) use execute::Exit;
+pub use fault::Fault;
+pub(crate) use fault::Lockup;
 pub(crate) use nvic::SV_CALL;
 
 use crate::{
@@ -38,6 +39,8 @@ pub struct Counters {
     pub instructions: u64,
     /// Cycles spent in WFI, WFE or sleep-on-exit.
     pub asleep: u64,
+    /// Of those, cycles in which the core's clock stood still: all, unless DBGMCU_CR keeps it running.
+    pub stopped: u64,
     /// Exceptions entered.
     pub exceptions: u64,
 }
@@ -176,9 +179,24 @@ impl Core {
         if number >= 15 { self.pc } else { self.r[usize::from(number)] }
     }
 
+    /// Sets register `number` (0..=12, 14 or 15) as a debugger does; 15 is where execution goes on. Others stay.
+    pub fn set_register(&mut self, number: u8, value: u32) {
+        match number {
+            0..=12 | 14 => self.r[usize::from(number)] = value,
+            15 => (self.pc, self.it) = (value & !1, 0),
+            _ => {}
+        }
+    }
+
     /// A single register of the floating-point extension as bits; 0 past S31.
     pub fn float_register(&self, number: u8) -> u32 {
         self.s.get(usize::from(number)).copied().unwrap_or(0)
+    }
+
+    /// Pends the non-maskable interrupt, which ends any sleep.
+    pub(crate) fn pend_non_maskable(&mut self) {
+        self.nvic.pending |= nvic::bit(nvic::NMI);
+        self.event = true;
     }
 
     /// Number of the exception being handled (IPSR); 0 in thread mode.
@@ -191,9 +209,9 @@ impl Core {
         self.sleep != Sleep::Awake
     }
 
-    /// Cycles in which the core clock ran: what CYCCNT counts.
-    pub fn awake(&self) -> Cycle {
-        self.cycle - self.counters.asleep
+    /// Cycles in which the core was clocked: what CYCCNT counts.
+    pub fn clocked(&self) -> Cycle {
+        self.cycle - self.counters.stopped
     }
 
     /// APSR, IPSR and EPSR combined (B1.4.2).

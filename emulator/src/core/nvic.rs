@@ -76,7 +76,7 @@ impl Nvic {
 
     /// The part of a priority that preempts (B1.5.4): bits PRIGROUP..0 are the subpriority.
     pub(crate) fn group_priority(&self, priority: i16) -> i16 {
-        if priority < 0 || priority >= LOWEST { priority } else { priority & !((2_i16 << self.group) - 1) }
+        if (0..LOWEST).contains(&priority) { priority & !((2_i16 << self.group) - 1) } else { priority }
     }
 
     /// Highest group priority among `set`; [`LOWEST`] where it is empty.
@@ -141,6 +141,16 @@ impl Core {
             masked = masked.min(-1);
         }
         priority < masked
+    }
+
+    /// New levels of the interrupt lines.
+    pub(crate) fn set_lines(&mut self, lines: u128) {
+        let before = self.nvic.pending;
+        self.nvic.set_lines(lines);
+        if self.scs.sends_event_on_pend() && before != self.nvic.pending {
+            self.event = true;
+        }
+        self.deadline = 0;
     }
 
     /// Marks an exception pending; with SEVONPEND that is an event (B1.5.18).

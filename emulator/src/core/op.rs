@@ -156,14 +156,13 @@ pub(crate) enum Barrier {
 }
 
 /// One decoded instruction. Registers are numbers 0..=15; immediates are expanded, targets absolute.
+#[rustfmt::skip] // One line a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Op {
     /// Nothing decoded here yet.
     Undecoded,
     /// Raises UsageFault UNDEFINSTR.
     Undefined,
-    /// Not in this emulator: the machine stops.
-    Unimplemented,
     /// A coprocessor that does not exist: UsageFault NOCP.
     NoCoprocessor,
     Nop,

@@ -25,8 +25,6 @@ pub(crate) struct SystemControl {
     pub(crate) dwt_control: u32,
     /// CYCCNT minus the cycles the core was awake, while counting; the count itself otherwise.
     pub(crate) cycle_count: u32,
-    /// Reset asked for by AIRCR.
-    pub(crate) reset: bool,
 }
 
 impl Default for SystemControl {
@@ -49,7 +47,6 @@ impl Default for SystemControl {
             demcr: 0,
             dwt_control: 0x4000_0000,
             cycle_count: 0,
-            reset: false,
         }
     }
 }

@@ -97,7 +97,8 @@ impl Core {
     ) -> Result<(), Fault> {
         let offset = address & 0xF_FFFF;
         // STIR alone may be open to unprivileged code (CCR.USERSETMPEND).
-        if !self.privileged() && !(offset == 0xEF00 && self.scs.ccr & 2 != 0) {
+        let open = offset == 0xEF00 && self.scs.ccr & 2 != 0;
+        if !self.privileged() && !open {
             return Err(self.bus_fault(memory, AccessError::Nothing(address)));
         }
         let bytes = match width {
@@ -224,7 +225,7 @@ impl Core {
     /// CYCCNT counts while the core clock runs.
     fn cycle_count(&self) -> u32 {
         if self.scs.counts_cycles() {
-            (self.awake() as u32).wrapping_add(self.scs.cycle_count)
+            (self.clocked() as u32).wrapping_add(self.scs.cycle_count)
         } else {
             self.scs.cycle_count
         }
@@ -232,7 +233,7 @@ impl Core {
 
     fn set_cycle_count(&mut self, count: u32) {
         self.scs.cycle_count =
-            if self.scs.counts_cycles() { count.wrapping_sub(self.awake() as u32) } else { count };
+            if self.scs.counts_cycles() { count.wrapping_sub(self.clocked() as u32) } else { count };
     }
 
     fn pend_set(&mut self, set: u128) {

@@ -9,6 +9,9 @@ pub struct Latency {
     missed: u32,
 }
 
+/// Samples kept: an hour and a quarter at 800 Hz.
+const MOST_SAMPLES: usize = 3_600_000;
+
 /// A summary of [`Latency`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatencySummary {
@@ -48,7 +51,9 @@ impl Latency {
         end.get_or_insert(end_ns);
         if let [Some(a), Some(b), Some(c), Some(d)] = *ends {
             let latency = a.max(b).max(c).max(d) - *edge_ns;
-            self.samples_ns.push(u32::try_from(latency).unwrap_or(u32::MAX));
+            if self.samples_ns.len() < MOST_SAMPLES {
+                self.samples_ns.push(u32::try_from(latency).unwrap_or(u32::MAX));
+            }
             self.open = None;
         }
     }

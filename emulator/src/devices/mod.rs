@@ -6,6 +6,6 @@ mod dshot;
 mod latency;
 
 pub use battery::Battery;
-pub use bmi270::{Bmi270, Upload};
+pub use bmi270::{Bmi270, Defect, Upload};
 pub use dshot::{CommandEntry, DshotEsc, FrameEnd};
 pub use latency::{Latency, LatencySummary};

@@ -68,6 +68,16 @@ impl<P: Peripherals> Machine<P> {
         Ok(())
     }
 
+    /// Puts a raw image at `address`, as a programmer does, and resets the core.
+    ///
+    /// # Errors
+    /// [`ImageError::Outside`].
+    pub fn load_binary(&mut self, address: u32, image: &[u8]) -> Result<(), ImageError> {
+        self.memory.place(address, image).ok_or(ImageError::Outside { address, bytes: image.len() })?;
+        self.core.reset(&mut self.memory);
+        Ok(())
+    }
+
     /// What the program wrote to channel 0 of SEGGER's Real-Time Transfer since last asked; empty where the image
     /// has no such channel. Reading makes room, as a debug probe would.
     pub fn read_rtt(&mut self) -> Vec<u8> {
@@ -85,8 +95,8 @@ impl<P: Peripherals> Machine<P> {
         };
         let (buffer, size) = (word(channel + 4)?, word(channel + 8)?);
         let (write, read) = (word(channel + 12)?, word(channel + 16)?);
-        if !self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT") || write >= size || read >= size
-        {
+        let valid = self.memory.peek(block, 10).is_some_and(|id| id == b"SEGGER RTT");
+        if !valid || write >= size || read >= size {
             return None;
         }
         let mut bytes = Vec::new();
@@ -103,13 +113,23 @@ impl<P: Peripherals> Machine<P> {
 
 /// Address of a symbol of an ELF.
 pub fn symbol_address(elf: &[u8], name: &str) -> Option<u32> {
-    let header = FileHeader32::<Endianness>::parse(elf).ok()?;
-    let endian = header.endian().ok()?;
-    let sections = header.sections(endian, elf).ok()?;
-    let table = sections.symbols(endian, elf, object::elf::SHT_SYMTAB).ok()?;
-    let symbol =
-        table.iter().find(|s| s.name(endian, table.strings()).is_ok_and(|n| n == name.as_bytes()))?;
-    Some(symbol.st_value(endian))
+    symbols(elf).ok()?.into_iter().find(|(symbol, _)| symbol == name).map(|(_, address)| address)
+}
+
+/// All symbols of an ELF with their values; names that are no text are left out.
+///
+/// # Errors
+/// [`ImageError::Elf`].
+pub fn symbols(elf: &[u8]) -> Result<Vec<(String, u32)>, ImageError> {
+    let header = FileHeader32::<Endianness>::parse(elf)?;
+    let endian = header.endian()?;
+    let sections = header.sections(endian, elf)?;
+    let table = sections.symbols(endian, elf, object::elf::SHT_SYMTAB)?;
+    let named = |symbol: &object::elf::Sym32<Endianness>| {
+        let name = symbol.name(endian, table.strings()).ok()?;
+        Some((std::str::from_utf8(name).ok()?.to_owned(), symbol.st_value(endian)))
+    };
+    Ok(table.iter().filter_map(named).collect())
 }
 
 /// What an image puts into flash, from the lowest address to the highest; gaps stay erased.

@@ -2,7 +2,10 @@
 //!
 //! Both are taken as fully associative with replacement of the least recently used line, as the manual says of the
 //! instruction cache.
-use crate::bus::Cycle;
+use crate::{
+    bus::Cycle,
+    memory::{FLASH_BYTES, LINE},
+};
 
 const DATA_LINES: usize = 8;
 const INSTRUCTION_LINES: usize = 64;
@@ -41,6 +44,8 @@ impl DataCache {
 pub(super) struct InstructionCache {
     lines: [u32; INSTRUCTION_LINES],
     used: [Cycle; INSTRUCTION_LINES],
+    /// For every line of flash its place above plus one; 0: not held.
+    places: Box<[u8]>,
     /// The line fetched last, and when it had arrived.
     previous: u32,
     since: Cycle,
@@ -48,7 +53,13 @@ pub(super) struct InstructionCache {
 
 impl Default for InstructionCache {
     fn default() -> Self {
-        Self { lines: [NONE; INSTRUCTION_LINES], used: [0; INSTRUCTION_LINES], previous: NONE - 1, since: 0 }
+        Self {
+            lines: [NONE; INSTRUCTION_LINES],
+            used: [0; INSTRUCTION_LINES],
+            places: vec![0; (FLASH_BYTES / LINE) as usize].into(),
+            previous: NONE - 1,
+            since: 0,
+        }
     }
 }
 
@@ -62,23 +73,39 @@ impl InstructionCache {
         prefetching: bool,
     ) -> u64 {
         let latency = u64::from(latency);
-        let sequential = line == self.previous + 1;
-        let wait = if caching && let Some(held) = self.lines.iter().position(|held| *held == line) {
-            self.used[held] = now;
+        let sequential = line == self.previous.wrapping_add(1);
+        let place = self.places.get(line as usize).copied().unwrap_or(0);
+        let held =
+            if caching && place != 0 { Some(usize::from(place - 1) % INSTRUCTION_LINES) } else { None };
+        let wait = if held.is_some() {
             0
         } else if prefetching && sequential {
             // Its read began when the line before it arrived.
-            latency.saturating_sub(now - self.since)
+            latency.saturating_sub(now.saturating_sub(self.since))
         } else {
             latency
         };
-        if caching && wait > 0 || caching && !self.lines.contains(&line) {
-            let oldest = (0..INSTRUCTION_LINES).min_by_key(|&place| self.used[place]).unwrap_or(0);
-            self.lines[oldest] = line;
-            self.used[oldest] = now;
+        if let Some(place) = held {
+            self.used[place] = now;
+        } else if caching {
+            self.replace(line, now);
         }
         self.previous = line;
         self.since = now + wait;
         wait
+    }
+
+    /// Puts `line` where the line least recently used was.
+    #[cold]
+    fn replace(&mut self, line: u32, now: Cycle) {
+        let place = (0..INSTRUCTION_LINES).min_by_key(|&place| self.used[place]).unwrap_or(0);
+        if let Some(held) = self.places.get_mut(self.lines[place] as usize) {
+            *held = 0;
+        }
+        if let Some(held) = self.places.get_mut(line as usize) {
+            *held = place as u8 + 1;
+        }
+        self.lines[place] = line;
+        self.used[place] = now;
     }
 }

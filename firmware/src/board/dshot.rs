@@ -129,7 +129,7 @@ impl Motors {
         MOTOR_TIMER.arr().write(|w| w.set_arr(WAIT_COUNTS));
         MOTOR_TIMER.egr().write(|w| w.set_ug(true));
         // These hold from the end of that round on: the first bit, on all lines at once, and the request for the second.
-        MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+        set_bit_rate();
         for (channel, frame) in frames.iter().enumerate() {
             MOTOR_TIMER.ccr(channel).write(|w| w.set_ccr(frame.pulse_counts(0)));
         }
@@ -167,11 +167,16 @@ impl Motors {
     }
 }
 
+/// A round of the timer is a bit, from the end of the present one on.
+fn set_bit_rate() {
+    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+}
+
 /// The timer from scratch: stopped, four channels in PWM mode 1 at zero.
 fn set_up_timer() {
     rcc::enable_and_reset::<peripherals::TIM4>();
     MOTOR_TIMER.psc().write_value(0);
-    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+    set_bit_rate();
     for pair in 0..2 {
         MOTOR_TIMER.ccmr_output(pair).write(|w| {
             for channel in 0..2 {

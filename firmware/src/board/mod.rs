@@ -19,6 +19,17 @@ mod vehicle;
 mod watchdog;
 
 use defmt_rtt as _;
+
+/// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
+/// lines are no signal that anybody chose.
+#[allow(unsafe_code)]
+#[allow(deprecated, reason = "what it calls needs no memory; in assembly it would repeat the pins")]
+#[cortex_m_rt::pre_init]
+unsafe fn before_memory() {
+    // Registers only: no static of the program is read or written.
+    motors::force_low();
+}
+
 /// Start-up, in the order that leaves no moment unguarded: motors low, watchdog, clocks, then everything else.
 #[cortex_m_rt::entry]
 fn start() -> ! {

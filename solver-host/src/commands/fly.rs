@@ -1,11 +1,11 @@
 //! `mintime fly`: from a request to a flown maneuver.
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use mintime::firmware_image::FirmwareImage;
+use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
 use mintime::report;
@@ -60,6 +60,9 @@ pub(crate) struct Fly {
     /// Where to write the picture, SVG or PNG by its ending
     #[arg(long, value_name = "FILE.svg|FILE.png", default_value = "flight.svg")]
     report: PathBuf,
+    /// Print what the firmware logs, too (it is in the flight log in any case)
+    #[arg(long)]
+    firmware_log: bool,
     /// Print JSON instead of text
     #[arg(long)]
     json: bool,
@@ -111,10 +114,9 @@ impl Fly {
                         .into(),
                 );
             }
-            (VehicleKind::Virtual, Some(path)) => VehicleChoice::Virtual(FirmwareImage::read(path)?),
-            (VehicleKind::Virtual, None) => {
-                let mut say = |text: &str| progress.announce(text);
-                VehicleChoice::Virtual(FirmwareImage::build(&mut say)?)
+            (VehicleKind::Virtual, path) => {
+                let image = firmware(path.as_deref(), progress)?;
+                VehicleChoice::Virtual { image, both_timings: true }
             }
         })
     }
@@ -146,13 +148,24 @@ impl Fly {
         if self.json {
             print(&format!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report))));
         } else {
-            print(&summary::text(&flown, &[&self.log, &self.report]));
+            print(&summary::text(&flown, self.firmware_log, &[&self.log, &self.report]));
         }
         if !flown.is_success() {
             let reason = flown.reason().map(|r| format!(": {r}")).unwrap_or_default();
             eprintln!("mintime: {}{reason}", flown.outcome());
         }
         Ok(flown.is_success())
+    }
+}
+
+/// The image named, or the one built from the sources.
+pub(super) fn firmware(
+    path: Option<&Path>,
+    progress: &Progress,
+) -> Result<FirmwareImage, FirmwareImageError> {
+    match path {
+        Some(path) => FirmwareImage::read(path),
+        None => FirmwareImage::build(&mut |text| progress.announce(text)),
     }
 }
 

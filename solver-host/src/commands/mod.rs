@@ -12,6 +12,7 @@ mod solve;
 mod summary;
 mod sweep;
 mod table;
+mod virtual_board;
 
 use std::process::ExitCode;
 
@@ -36,6 +37,11 @@ pub(crate) enum Command {
     Sweep(sweep::Sweep),
     /// Explain a maneuver table.
     Show(table::TableFile),
+    /// Run the firmware image on an emulated flight controller behind a serial port, in real time.
+    ///
+    /// The airframe stands on the ground and obeys its motors. Any program that speaks the protocol (docs/protocol.md) can
+    /// talk to it through the pseudo-terminal whose name is printed.
+    VirtualBoard(virtual_board::VirtualBoard),
     /// Check a maneuver table again: it must arrive when replayed, and be the fastest for its turns.
     Verify(table::TableFile),
 }
@@ -48,6 +54,7 @@ impl Command {
             Self::Sweep(sweep) => sweep.run(),
             Self::Show(file) => file.show(),
             Self::Verify(file) => file.verify(),
+            Self::VirtualBoard(board) => board.run(),
         }
     }
 }

@@ -53,6 +53,14 @@ pub(crate) fn planned(prepared: &Prepared) -> Vec<PlannedSample> {
 
 /// The flight log.
 pub(crate) fn log(mission: &Mission, flown: &Flown, mut events: Vec<LogEvent>) -> FlightLog {
+    let logged = flown.emulated.iter().flat_map(|e| &e.board.log);
+    events.extend(logged.map(|(time_ns, line)| LogEvent {
+        time_ns: *time_ns,
+        text: format!("firmware: {line}"),
+        level: EventLevel::Info,
+    }));
+    // The firmware's lines among the flight's own, in the order of time.
+    events.sort_by_key(|event| event.time_ns);
     events.push(verdict(flown));
     let table = &flown.prepared.table;
     let mut facts = Vec::new();

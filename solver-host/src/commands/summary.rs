@@ -52,7 +52,7 @@ fn version([major, minor, patch]: [u8; 3]) -> String {
 }
 
 /// The page for a person.
-pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
+pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String {
     let prepared = &flown.prepared;
     let table = &prepared.table;
     let extent = &prepared.extent;
@@ -116,6 +116,9 @@ pub(crate) fn text(flown: &Flown, files: &[&Path]) -> String {
             e.board.tick_instructions,
             100.0 * e.board.load,
         ));
+        let shown = if firmware_log { &e.board.log[..] } else { &[] };
+        lines
+            .extend(shown.iter().map(|(ns, line)| format!("log        {:8.3} s  {line}", *ns as f64 * 1e-9)));
         lines.extend(e.board.bugs.iter().map(|bug| format!("bug        {bug}")));
     }
     lines.push(format!("time       {:.1} s of flight in {:.2} s", flown.virtual_time_s, flown.wall_time_s));

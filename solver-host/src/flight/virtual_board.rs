@@ -10,17 +10,21 @@
 use emulator::boards::{MotorUpdate, SpeedyBeeF405V3};
 use emulator::chip::Chip;
 use emulator::core::Timing;
+use emulator::log::Log;
 use emulator::machine::symbol_address;
 use emulator::{Machine, Stop};
 use mintime_firmware::watch::{WATCH_BYTES, WATCH_SYMBOL, Watch};
-use mintime_shared::messages::FlightState;
+use mintime_shared::messages::{FlightState, Setpoint};
 use mintime_simulator::{Event, ImuSample, Simulator, SimulatorError};
 
 use super::connection::{Connection, ConnectionError, Phase, Pose};
-use super::world::{POSE_TIMEOUT_NS, Scene, Tick, Trace, World};
+use super::world::{POSE_TIMEOUT_NS, Scene, Tick, Trace, World, is_planning_model};
 
 /// The image's tick is looked at this often at least, ns: shorter than a tick, so that none is missed.
-const LOOK_NS: u64 = 600_000;
+const LOOK_NS: u64 = 200_000;
+
+/// One count of the gyro at ±2000 °/s, rad/s.
+const GYRO_STEP_RADPS: f64 = core::f64::consts::PI / 180.0 / 16.384;
 
 /// Why a virtual board cannot be set up.
 #[derive(Debug, thiserror::Error)]
@@ -41,8 +45,8 @@ pub enum VirtualBoardError {
 /// What was measured on the virtual board.
 #[derive(Clone, Debug, Default)]
 pub struct BoardReport {
-    /// From data ready to the end of the last motor's frame, ns: median, and the spread between 0.1 % and 99.9 %, since
-    /// the motors were armed.
+    /// From data ready to the end of the last motor's frame, ns: median, and the distance from it that 99.9 % keep, since
+    /// the vehicle took off.
     pub latency_ns: Option<(u32, u32)>,
     /// Instructions of a control tick, mean.
     pub tick_instructions: f64,
@@ -50,7 +54,15 @@ pub struct BoardReport {
     pub load: f64,
     /// Mistakes of the firmware that the emulator saw.
     pub bugs: Vec<String>,
+    /// What the firmware logged, with when the emulator read it, ns.
+    pub log: Vec<(u64, String)>,
 }
+
+/// Is told of each control tick.
+type Observer = Box<dyn FnMut(&Watch) + Send>;
+
+/// Is told of each frame for a motor.
+type MotorObserver = Box<dyn FnMut(&MotorUpdate) + Send>;
 
 /// A virtual flight controller with a simulated airframe around it.
 pub struct VirtualVehicle {
@@ -62,9 +74,18 @@ pub struct VirtualVehicle {
     sample: Option<(u64, ImuSample)>,
     throttle: [f32; 4],
     /// Called with each tick.
-    observer: Option<Box<dyn FnMut(&Watch) + Send>>,
+    observer: Option<Observer>,
+    /// Called with each frame for a motor.
+    motor_observer: Option<MotorObserver>,
     flown_ticks: u64,
     counters_at_start: (u64, u64, u64),
+    decoder: Log,
+    log: Vec<(u64, String)>,
+    /// The airframe is the planning model, whose sensors have no noise.
+    noiseless: bool,
+    last_bit: f64,
+    /// The firmware has cleared its memory, so that what it notes means something.
+    booted: bool,
 }
 
 impl std::fmt::Debug for VirtualVehicle {
@@ -91,14 +112,25 @@ impl VirtualVehicle {
             sample: None,
             throttle: [0.0; 4],
             observer: None,
+            motor_observer: None,
             flown_ticks: 0,
             counters_at_start: (0, 0, 0),
+            decoder: Log::new(image),
+            log: Vec::new(),
+            noiseless: is_planning_model(scene.parameters),
+            last_bit: 0.0,
+            booted: false,
         })
     }
 
     /// Calls `observer` with what each control tick got and gave.
     pub fn observe(&mut self, observer: impl FnMut(&Watch) + Send + 'static) {
         self.observer = Some(Box::new(observer));
+    }
+
+    /// Calls `observer` with each frame that a speed controller got.
+    pub fn observe_motors(&mut self, observer: impl FnMut(&MotorUpdate) + Send + 'static) {
+        self.motor_observer = Some(Box::new(observer));
     }
 
     /// Virtual time, ns.
@@ -126,6 +158,7 @@ impl VirtualVehicle {
             latency_ns: latency.map(|l| (l.median_ns, l.jitter_p999_ns)),
             tick_instructions: (counters.instructions - instructions) as f64 / self.flown_ticks.max(1) as f64,
             load: 1.0 - (counters.asleep - asleep) as f64 / cycles,
+            log: self.log.clone(),
             bugs: self.machine.memory.bugs.iter().map(|bug| bug.what.clone()).collect(),
         }
     }
@@ -133,6 +166,25 @@ impl VirtualVehicle {
     /// What has been logged, with the truth of this instant.
     pub fn into_trace(self) -> Trace {
         self.world.into_trace()
+    }
+
+    /// Lets time pass without a host that watches.
+    ///
+    /// # Errors
+    /// [`ConnectionError::Board`].
+    pub fn advance_to(&mut self, ns: u64) -> Result<(), ConnectionError> {
+        while self.world.simulator.next_event_time_ns() <= ns {
+            self.run_to(self.world.simulator.next_event_time_ns())?;
+            if let Some((time_ns, Event::Gyro(sample))) = self.world.simulator.next_event() {
+                self.give_sample(time_ns, sample);
+            }
+        }
+        self.run_to(ns)
+    }
+
+    /// What the firmware has logged since the last call.
+    pub fn take_log(&mut self) -> Vec<(u64, String)> {
+        std::mem::take(&mut self.log)
     }
 
     /// Runs the board up to a time and the airframe with it.
@@ -172,12 +224,24 @@ impl VirtualVehicle {
         if let Some(bytes) = self.machine.memory.peek(self.watch_at, WATCH_BYTES as u32)
             && let Ok(bytes) = bytes.try_into()
         {
-            self.watch = Watch::from_bytes(bytes);
+            let watch = Watch::from_bytes(bytes);
+            self.booted |= watch == Watch::new();
+            if self.booted {
+                self.watch = watch;
+            }
+        }
+        let logged = self.machine.read_rtt();
+        if !logged.is_empty() {
+            let lines = self.decoder.decode(&logged);
+            self.log.extend(lines.lines().map(|line| (now_ns, line.to_owned())));
         }
         let state = FlightState::from_index(self.watch.state).unwrap_or_default();
         let setpoint = self.watch.output().setpoint;
         let updates: Vec<MotorUpdate> = self.machine.peripherals.board_mut().drain_motor_updates().collect();
         for update in updates {
+            if let Some(observer) = &mut self.motor_observer {
+                observer(&update);
+            }
             self.throttle[update.motor] = update.throttle.unwrap_or(0.0) as f32;
             if update.motor + 1 < self.throttle.len() {
                 continue;
@@ -187,6 +251,7 @@ impl VirtualVehicle {
             let time_ns = self.sample.as_ref().map_or(update.ns, |(ns, _)| *ns);
             self.world.command(&Tick { time_ns, sample: None, state, setpoint, throttle: self.throttle });
         }
+        self.time_out_motors(now_ns, state, setpoint);
         if self.watch.ticks == before {
             return;
         }
@@ -205,6 +270,25 @@ impl VirtualVehicle {
         }
     }
 
+    /// A speed controller that gets no frames stops its motor.
+    fn time_out_motors(&mut self, now_ns: u64, state: FlightState, setpoint: Setpoint) {
+        let mut silent = false;
+        for (throttle, motor) in self.throttle.iter_mut().zip(self.machine.peripherals.motors(now_ns)) {
+            silent |= *throttle > 0.0 && motor.throttle.is_none();
+            *throttle = if motor.throttle.is_none() { 0.0 } else { *throttle };
+        }
+        if silent {
+            self.world.simulator.advance_to(now_ns);
+            self.world.command(&Tick {
+                time_ns: now_ns,
+                sample: None,
+                state,
+                setpoint,
+                throttle: self.throttle,
+            });
+        }
+    }
+
     /// Start-up is none of what is measured.
     fn begin_measuring(&mut self) {
         let counters = &self.machine.core.counters;
@@ -213,7 +297,12 @@ impl VirtualVehicle {
     }
 
     fn give_sample(&mut self, time_ns: u64, sample: ImuSample) {
-        let [rates, force] = [sample.rates_radps, sample.specific_force_mps2].map(|v| v.map(f64::from));
+        let [mut rates, force] = [sample.rates_radps, sample.specific_force_mps2].map(|v| v.map(f64::from));
+        if self.noiseless {
+            // The last bit of a real converter never rests, and firmware takes a sensor that repeats itself for broken.
+            self.last_bit = GYRO_STEP_RADPS - self.last_bit;
+            rates[2] += self.last_bit;
+        }
         let battery_v = f64::from(self.world.simulator.battery_v());
         let (chip, memory) = (&mut self.machine.peripherals, &mut self.machine.memory);
         chip.set_battery_v(memory, battery_v);

@@ -244,3 +244,73 @@ fn barrier(kind: u32) -> Op {
         _ => Op::Undefined,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Op, decode};
+    use crate::core::op::{Alu, Shift};
+
+    fn op(first: u16, second: u16) -> Op {
+        decode(0x0800_0100, first, second).op
+    }
+
+    #[test]
+    fn shifts_by_nothing_are_moves_and_right_shifts_reach_32() {
+        let shift = |shift, n| Op::AluReg { op: Alu::Mov, s: true, rd: 1, rn: 0, rm: 2, shift, n };
+        assert_eq!(op(0x0011, 0), shift(Shift::Lsl, 0));
+        assert_eq!(op(0x0811, 0), shift(Shift::Lsr, 32));
+        assert_eq!(op(0x1011, 0), shift(Shift::Asr, 32));
+        // MOV.W R1, R2, RRX.
+        let rrx = Op::AluReg { op: Alu::Mov, s: false, rd: 1, rn: 15, rm: 2, shift: Shift::Rrx, n: 1 };
+        assert_eq!(op(0xEA4F, 0x0132), rrx);
+    }
+
+    #[test]
+    fn literals_count_from_the_aligned_pc() {
+        // LDR R0, [PC, #4] at an address that is, and one that is not, a multiple of four.
+        assert_eq!(decode(0x0800_0100, 0x4801, 0).op, Op::LdrLit { rt: 0, address: 0x0800_0108 });
+        assert_eq!(decode(0x0800_0102, 0x4801, 0).op, Op::LdrLit { rt: 0, address: 0x0800_0108 });
+    }
+
+    #[test]
+    fn a_base_that_is_loaded_is_not_written_back() {
+        assert_eq!(op(0xC803, 0), Op::Ldm { rn: 0, list: 3, before: false, writeback: false });
+        assert_eq!(op(0xC806, 0), Op::Ldm { rn: 0, list: 6, before: false, writeback: true });
+    }
+
+    #[test]
+    fn hints_do_nothing_and_holes_are_undefined() {
+        assert_eq!(op(0xBF50, 0), Op::Nop);
+        assert_eq!(op(0xF3AF, 0x8014), Op::Nop);
+        assert_eq!(op(0xBF08, 0), Op::It { state: 0x08 });
+        assert_eq!(op(0xDE00, 0), Op::Undefined);
+        assert_eq!(op(0xF7F0, 0xA000), Op::Undefined);
+        // BLX (immediate) would leave Thumb state.
+        assert_eq!(op(0xF000, 0xE800), Op::Undefined);
+    }
+
+    #[test]
+    fn coprocessors_other_than_floating_point_do_not_exist() {
+        // CDP p0; VADD.F64; VADD.F32 of Advanced SIMD.
+        assert_eq!(op(0xEE10, 0x2003), Op::NoCoprocessor);
+        assert_eq!(op(0xEE30, 0x0B00), Op::Undefined);
+        assert_eq!(op(0xEF00, 0x0D00), Op::Undefined);
+        assert_eq!(op(0xEE30, 0x0A00), Op::Vadd { d: 0, n: 0, m: 0 });
+    }
+
+    #[test]
+    fn lengths() {
+        assert_eq!(decode(0, 0xE7FE, 0).len, 2);
+        assert_eq!(decode(0, 0xE800, 0).len, 4);
+        assert_eq!(decode(0, 0xF000, 0xF800).op, Op::Bl { target: 4 });
+    }
+
+    #[test]
+    fn every_encoding_decodes() {
+        for first in 0..=u16::MAX {
+            for second in [0, 0x0F00, 0x8000, 0xF0F0, 0xFFFF, 0xBF00, 0x0A10] {
+                decode(u32::MAX - 1, first, second);
+            }
+        }
+    }
+}

@@ -14,13 +14,14 @@ fn half(word: u32, top: bool) -> i64 {
 }
 
 impl Core {
+    /// False for what no one executes.
     #[inline(never)]
     pub(super) fn execute_rare<P: Peripherals, const PESSIMISTIC: bool>(
         &mut self,
         memory: &mut Memory,
         peripherals: &mut P,
         op: Op,
-    ) -> Result<(), Fault> {
+    ) -> Result<bool, Fault> {
         let r = |n: u8| self.r[usize::from(n & 15)];
         let (rd, value) = match op {
             Op::AsrImm { rd, rm, n } => (rd, alu::shift(r(rm), Shift::Asr, n, false).0),
@@ -111,17 +112,14 @@ impl Core {
                 (rd, self.store_exclusive(memory, peripherals, size, address, value)?)
             }
             Op::Mrs { rd, sysm } => (rd, self.read_special(sysm)),
-            other => {
-                self.control(other);
-                return Ok(());
-            }
+            other => return Ok(self.control(other)),
         };
         self.r[usize::from(rd & 15)] = if rd == 13 { value & !3 } else { value };
-        Ok(())
+        Ok(true)
     }
 
-    /// Instructions without a destination.
-    fn control(&mut self, op: Op) {
+    /// Instructions without a destination; false for one that is none of them.
+    fn control(&mut self, op: Op) -> bool {
         match op {
             Op::Msr { rn, mask, sysm } => self.write_special(sysm, mask, self.r[usize::from(rn & 15)]),
             Op::Cps { disable, masks } if self.privileged() => {
@@ -135,12 +133,12 @@ impl Core {
                 self.deadline = if disable { self.deadline } else { 0 };
             }
             Op::Clrex => self.exclusive = false,
-            Op::Sev => {
-                self.event = true;
-            }
+            Op::Sev => self.event = true,
             // Barriers order what is in order here; CPS without privilege does nothing.
-            _ => {}
+            Op::Barrier { .. } | Op::Cps { .. } => {}
+            _ => return false,
         }
+        true
     }
 
     fn load_exclusive<P: Peripherals>(
@@ -210,7 +208,7 @@ impl Core {
             Dsp::Smla => half(n, mode & 2 != 0) * half(m, mode & 1 != 0) + signed(addend),
             Dsp::Smlaw => {
                 // Bits 47..16 of the product.
-                (signed(n) * half(m, mode & 1 != 0) >> 16) + signed(addend)
+                ((signed(n) * half(m, mode & 1 != 0)) >> 16) + signed(addend)
             }
             Dsp::Smlad => products.0 + products.1 + signed(addend),
             Dsp::Smlsd => products.0 - products.1 + signed(addend),

@@ -401,3 +401,6 @@ fn fused_by_host(a: u32, b: u32, addend: u32) -> Option<u32> {
     }
     plain(f64::from_bits(bits) as f32)
 }
+
+#[cfg(test)]
+mod tests;

@@ -34,9 +34,26 @@ pub struct Upload {
     pub hash: u64,
 }
 
+/// What may be wrong with a sensor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Defect {
+    /// It is not there; nobody drives its lines.
+    Absent,
+    /// It is another chip, which answers with this identity.
+    Identity(u8),
+    /// Its self-check after the upload of the configuration fails.
+    Configuration,
+    /// This register keeps what it holds, whatever is written.
+    StuckRegister(u8),
+    /// It reports this error of its own in ERR_REG.
+    Error(u8),
+}
+
 /// The sensor.
 #[derive(Clone, Debug)]
 pub struct Bmi270 {
+    /// What is wrong with it, if anything.
+    pub defect: Option<Defect>,
     registers: [u8; 128],
     /// No more I²C.
     spi: bool,
@@ -78,6 +95,7 @@ impl Bmi270 {
     /// The sensor at power-up.
     pub fn new() -> Self {
         Self {
+            defect: None,
             registers: reg::RESET,
             spi: false,
             selected: false,
@@ -143,7 +161,7 @@ impl Bmi270 {
 
     /// A byte on the bus at `ns`; the answer is what the sensor sent meanwhile.
     pub fn exchange(&mut self, ns: u64, word: SpiWord, bugs: &mut Vec<String>) -> u16 {
-        if !self.selected {
+        if !self.selected || self.defect == Some(Defect::Absent) {
             return 0xFFFF;
         }
         if word.clock_hz > SPI_LIMIT_HZ {
@@ -242,6 +260,11 @@ impl Bmi270 {
 
     fn read(&mut self, ns: u64, bugs: &mut Vec<String>) -> u8 {
         let address = usize::from(self.address);
+        match (address, self.defect) {
+            (reg::CHIP_ID, Some(Defect::Identity(identity))) => return identity,
+            (reg::ERR_REG, Some(Defect::Error(error))) => return error,
+            _ => {}
+        }
         match address {
             reg::DATA_FIRST..=reg::DATA_LAST => {
                 if !self.ready() {
@@ -274,6 +297,7 @@ impl Bmi270 {
         let address = usize::from(self.address);
         let power_save = self.power_save();
         match address {
+            _ if self.defect == Some(Defect::StuckRegister(self.address)) => {}
             reg::INIT_DATA => {
                 let place = self.init_place() + self.config_bytes_of_burst();
                 if let Some(cell) = self.config.get_mut(place) {
@@ -334,7 +358,7 @@ impl Bmi270 {
             );
             self.tell(TOLD_UPLOAD, text, bugs);
         }
-        self.init_due = Some((ns + INIT_NS, passes));
+        self.init_due = Some((ns + INIT_NS, passes && self.defect != Some(Defect::Configuration)));
     }
 
     /// Where INIT_ADDR points: it counts words of two bytes.
@@ -352,6 +376,7 @@ impl Bmi270 {
     /// Takes effect when chip select rises: it takes another such edge to leave I²C mode.
     fn soft_reset(&mut self, ns: u64) {
         *self = Self {
+            defect: self.defect,
             told: self.told,
             pending: std::mem::take(&mut self.pending),
             uploaded: self.uploaded,

@@ -1,5 +1,7 @@
 //! Addresses and reset values of the BMI270 (data sheet section 5.2).
 
+pub(super) const CHIP_ID: usize = 0x00;
+pub(super) const ERR_REG: usize = 0x02;
 pub(super) const STATUS: usize = 0x03;
 pub(super) const DATA_FIRST: usize = 0x0C;
 pub(super) const GYRO_FIRST: usize = 0x12;
