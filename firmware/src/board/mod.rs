@@ -1,4 +1,5 @@
 //! The STM32F405 board: start-up order and the tasks.
+#![allow(deprecated, reason = "the early hook needs no memory; in assembly it would repeat the pins")]
 
 mod battery;
 mod control;
@@ -23,7 +24,6 @@ use defmt_rtt as _;
 /// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
 /// lines are no signal that anybody chose.
 #[allow(unsafe_code)]
-#[allow(deprecated, reason = "what it calls needs no memory; in assembly it would repeat the pins")]
 #[cortex_m_rt::pre_init]
 unsafe fn before_memory() {
     // Registers only: no static of the program is read or written.
