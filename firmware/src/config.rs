@@ -178,6 +178,8 @@ pub const ENVELOPE_PITCH_RAD: f32 = 0.8;
 pub const ENVELOPE_LATERAL_RAD: f32 = 0.6;
 /// A tick later than this many periods is late.
 pub const LATE_PERIODS: f32 = 1.5;
+/// The same, µs.
+pub const LATE_US: u64 = (LATE_PERIODS * mintime_shared::replay::TICK_PERIOD_US as f32) as u64;
 /// An interval between ticks that ends a maneuver, µs: eight ticks blind.
 pub const LATE_ABORT_US: u64 = 10_000;
 /// Late ticks in one maneuver that end it.

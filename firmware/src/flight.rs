@@ -3,6 +3,9 @@
 //! There is no clock, no hardware and no other state in it, so that host tests, a virtual board and the real board run
 //! the same code on the same inputs and get the same outputs, bit for bit.
 //!
+//! A tick has two parts. [`FlightLogic::command`] is what the motors wait for; [`FlightLogic::conclude`] is everything
+//! else and runs while their frame is on the wire: requests that do not bear on them, all answers, the record.
+//!
 //! Deadline: one call every gyro sample, 1.25 ms. Work is bounded: at most [`INBOX`] requests, one
 //! transition, one replay tick over at most 24 segments; the dearest request, the commit of a table, integrates those
 //! segments once and is accepted with the motors off only. Late calls are seen by the clock and reported; past a bound
@@ -15,7 +18,7 @@ use mintime_shared::messages::{
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 
 use crate::config::{
-    ARMED_IDLE_US, BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_PERIODS,
+    ARMED_IDLE_US, BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_US,
     LIFT_THRUST_MPS2, LINK_DEAD_US, LINK_LOST_THRUST, MOTOR_COUNT, OUTBOX, RUNAWAY_ERROR_RADPS,
     RUNAWAY_TICKS, SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
 };
@@ -24,9 +27,10 @@ use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
 use crate::player::Player;
 use crate::rate_control::RateController;
 use crate::recorder::{RecordMemory, Recorder};
-use crate::requests::Tables;
+use crate::requests::{Tables, Verdicts};
 use crate::supervisor::{Conditions, Supervisor};
 use mintime_shared::model::GRAVITY_MPS2;
+use mintime_shared::real::{at_least, at_most};
 
 /// Requests that arrived since the last tick.
 pub type Inbox = Deque<Uplink, INBOX>;
@@ -74,7 +78,7 @@ pub struct FlightLogic<M> {
     pub(crate) recorder: Recorder<M>,
     pub(crate) link_errors: u32,
     gyro: Gyro,
-    player: Player,
+    pub(crate) player: Player,
     rate: RateController,
     drive: RotorDrive,
     period: TickPeriod,
@@ -85,6 +89,10 @@ pub struct FlightLogic<M> {
     pub(crate) host_setpoint: Option<(Setpoint, u64)>,
     /// What was commanded over the tick that just ended.
     commanded: Setpoint,
+    /// Requests that the second part of the tick answers.
+    pub(crate) verdicts: Verdicts,
+    /// The tick that the second part records.
+    to_record: Option<RecordedTick>,
     runaway_ticks: u32,
     /// Number of the request that triggered the last maneuver since arming, and when.
     pub(crate) last_trigger: Option<(u16, u64)>,
@@ -121,6 +129,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             state_since_us: 0,
             host_setpoint: None,
             commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
+            verdicts: Verdicts::new(),
+            to_record: None,
             runaway_ticks: 0,
             last_trigger: None,
             next_telemetry_us: 0,
@@ -152,8 +162,16 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.board = Some(status.telemetry);
     }
 
-    /// One tick.
+    /// One tick: [`Self::command`] and [`Self::conclude`].
     pub fn tick(&mut self, input: &TickInput, inbox: &mut Inbox, outbox: &mut Outbox) -> TickOutput {
+        let output = self.command(input, inbox);
+        self.conclude(inbox, outbox);
+        output
+    }
+
+    /// The part of a tick that the motors wait for. [`Self::conclude`] is due before the next one and takes the requests
+    /// out of the inbox.
+    pub fn command(&mut self, input: &TickInput, inbox: &Inbox) -> TickOutput {
         let clock = self.advance_clock(input.now_us);
         // Time stands still rather than runs backwards; the supervisor stops the motors for it.
         let now_us = self.last_us.unwrap_or(input.now_us);
@@ -164,18 +182,27 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
 
         let mut conditions = self.watch(now_us, clock);
-        let answers = self.take_requests(inbox, now_us, &mut conditions, outbox);
+        self.take_orders(inbox, now_us, &mut conditions);
         // A setpoint taken just now counts.
         conditions |= self.setpoint_conditions(now_us);
         if let Some((old, reason)) = self.supervisor.step(conditions) {
             self.enter(old, reason, now_us);
         }
-        self.answer(answers, now_us, outbox);
 
         let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint);
-        self.record(now_us, &output);
+        self.to_record = self.recorded(&output);
         output
+    }
+
+    /// The part of a tick that the motors need not wait for: requests that do not bear on them, answers, the record.
+    /// Nothing to do the second time.
+    pub fn conclude(&mut self, inbox: &mut Inbox, outbox: &mut Outbox) {
+        let now_us = self.last_us.unwrap_or(0);
+        self.answer(inbox, now_us, outbox);
+        if let Some(tick) = self.to_record.take() {
+            self.recorder.push(now_us, tick);
+        }
     }
 
     fn advance_clock(&mut self, now_us: u64) -> Clock {
@@ -193,7 +220,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.period.observe(self.interval_us);
         let worst = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
         self.worst_interval_us = self.worst_interval_us.max(worst);
-        let late = self.interval_us as f32 > LATE_PERIODS * TICK_PERIOD_US as f32;
+        let late = self.interval_us > LATE_US;
         self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
         if late { Clock::Late } else { Clock::Punctual }
     }
@@ -242,7 +269,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     fn rate_error_radps(&self) -> f32 {
         let pairs = self.commanded.rates_radps.into_iter().zip(self.gyro.rates_radps());
-        pairs.fold(0.0, |worst: f32, (asked, done)| worst.max((asked - done).abs()))
+        pairs.fold(0.0, |worst, (asked, done)| at_least((asked - done).abs(), worst))
     }
 
     /// What blocks arming now.
@@ -288,9 +315,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.rate.reset(self.gyro.rates_radps());
                 self.runaway_ticks = 0;
                 self.recorder.clear();
-                if let Some(plan) = self.tables.plan() {
-                    self.player.start(plan, now_us);
-                }
+                self.player.start(now_us);
             }
             FlightState::Disarmed | FlightState::Stopped => {
                 self.host_setpoint = None;
@@ -304,7 +329,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     fn choose_setpoint(&mut self, now_us: u64) -> Option<Setpoint> {
         // Never more than the host last asked for: a vehicle that stands on the ground stays there.
         let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
-        let thrust_mps2 = (LINK_LOST_THRUST * GRAVITY_MPS2 as f32).min(asked_mps2);
+        let thrust_mps2 = at_most(LINK_LOST_THRUST * GRAVITY_MPS2 as f32, asked_mps2);
         let sink = Setpoint { rates_radps: [0.0; 3], thrust_mps2 };
         match self.state() {
             FlightState::Disarmed | FlightState::Stopped | FlightState::Armed => None,
@@ -322,7 +347,9 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     /// Rate control, mixing, and what the motors get.
     fn control(&mut self, setpoint: Option<Setpoint>) -> TickOutput {
-        let dt_s = (self.interval_us as f32 * 1.0e-6).min(CONTROL_STEP_MAX_S);
+        // In 32 bits: the processor converts those by itself.
+        let interval_us = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
+        let dt_s = at_most(interval_us as f32 * 1.0e-6, CONTROL_STEP_MAX_S);
         let Some(setpoint) = setpoint else {
             self.commanded = Setpoint::default();
             self.rate.reset(self.gyro.rates_radps());
@@ -341,18 +368,15 @@ impl<M: RecordMemory> FlightLogic<M> {
         TickOutput { throttle: Some(throttle), setpoint }
     }
 
-    fn record(&mut self, now_us: u64, output: &TickOutput) {
-        if self.state() != FlightState::Maneuver {
-            return;
-        }
-        let tick = RecordedTick {
+    /// What the record says of this tick; the recorder fills the interval in.
+    fn recorded(&self, output: &TickOutput) -> Option<RecordedTick> {
+        (self.state() == FlightState::Maneuver).then(|| RecordedTick {
             interval_us: 0,
             gyro_radps: self.gyro.fresh_rates_radps(),
             rate_radps: output.setpoint.rates_radps[1],
             thrust_mps2: output.setpoint.thrust_mps2,
             throttle: output.throttle.unwrap_or_default(),
-        };
-        self.recorder.push(now_us, tick);
+        })
     }
 
     /// Says how the vehicle is when it is time to. Once a tick, after the motors have their command: it would delay one

@@ -5,6 +5,8 @@ use crate::config::{
     GYRO_SATURATED_TICKS, GYRO_SATURATION_RADPS, STILL_SPREAD_RADPS,
 };
 
+use mintime_shared::real::{at_least, at_most};
+
 /// One reading of the inertial sensor, body axes forward-left-up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ImuSample {
@@ -33,8 +35,8 @@ impl Calibration {
             self.sum.iter_mut().zip(&mut self.low).zip(&mut self.high).zip(rates)
         {
             *sum += rate;
-            *low = low.min(rate);
-            *high = high.max(rate);
+            *low = at_most(*low, rate);
+            *high = at_least(*high, rate);
         }
         self.count += 1;
         if self.count < CALIBRATION_TICKS {

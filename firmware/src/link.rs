@@ -3,8 +3,8 @@
 //! Every length is bounded. Bytes that are not messages are counted and dropped; requests that arrive faster than the
 //! flight logic takes them are dropped too, counted, and asked again by the host.
 
-use mintime_shared::framing::{Decoder, Frame, encode};
-use mintime_shared::messages::{Downlink, PROTOCOL_VERSION, Request, Uplink};
+use mintime_shared::framing::{Decoder, Frame};
+use mintime_shared::messages::{DownlinkRef, PROTOCOL_VERSION, Request, Uplink};
 
 use crate::flight::{Inbox, Outbox};
 
@@ -12,14 +12,17 @@ use crate::flight::{Inbox, Outbox};
 #[derive(Debug, Default)]
 pub struct Link {
     decoder: Decoder,
-    sending: Option<(Frame, usize)>,
+    /// The frame under way.
+    frame: Frame,
+    /// How much of it is sent.
+    sent: usize,
     errors: u32,
 }
 
 impl Link {
     /// Nothing received, nothing to send.
     pub const fn new() -> Self {
-        Self { decoder: Decoder::new(), sending: None, errors: 0 }
+        Self { decoder: Decoder::new(), frame: Frame::new(), sent: 0, errors: 0 }
     }
 
     /// Received frames that were not messages, or found no room.
@@ -54,29 +57,23 @@ impl Link {
     pub fn transmit(&mut self, outbox: &mut Outbox, out: &mut [u8]) -> usize {
         let mut written = 0;
         while let Some(room) = out.get_mut(written..).filter(|room| !room.is_empty()) {
-            if self.sending.is_none() {
-                let Some(message) = outbox.pop_front() else {
+            if self.sent == self.frame.as_bytes().len() {
+                // By reference: the longest message has 250 bytes, most have few.
+                let Some(message) = outbox.front() else {
                     break;
                 };
-                match encode(&Downlink { version: PROTOCOL_VERSION, message }) {
-                    Ok(frame) => self.sending = Some((frame, 0)),
-                    // No message of the protocol is longer than a frame.
-                    Err(_) => continue,
-                }
+                self.sent = 0;
+                // No message of the protocol is longer than a frame; of one that were the frame is empty.
+                let _ = self.frame.fill(&DownlinkRef { version: PROTOCOL_VERSION, message });
+                drop(outbox.pop_front());
             }
-            let Some((frame, sent)) = &mut self.sending else {
-                break;
-            };
-            let rest = frame.as_bytes().get(*sent..).unwrap_or_default();
+            let rest = self.frame.as_bytes().get(self.sent..).unwrap_or_default();
             let count = rest.len().min(room.len());
             for (slot, byte) in room.iter_mut().zip(rest) {
                 *slot = *byte;
             }
-            *sent += count;
+            self.sent += count;
             written += count;
-            if count == rest.len() {
-                self.sending = None;
-            }
         }
         written
     }

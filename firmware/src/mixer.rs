@@ -6,6 +6,7 @@
 
 use mintime_shared::frames::MOTORS;
 use mintime_shared::model::GRAVITY_MPS2;
+use mintime_shared::real::{at_least, at_most};
 
 use crate::config::{MOTOR_COUNT, ROTOR_RESPONSE_S, VehicleConfig, YAW_RESERVE};
 
@@ -42,19 +43,20 @@ pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COU
     // Collective thrust moves to where roll and pitch fit.
     let hover = GRAVITY_MPS2 as f32;
     let wanted = config.mass_kg * finite(demand.thrust_mps2, hover) / 4.0;
-    let collective = wanted.max(low + half_spread).min(high - half_spread);
+    let collective = at_most(at_least(wanted, low + half_spread), high - half_spread);
 
     // Yaw takes what is left on the tighter side, and at least the reserve: collective gives way to it.
-    let room = (collective - half_spread - low).min(high - half_spread - collective).max(0.0);
-    let reserve = 0.5 * (range - 2.0 * half_spread).min(range * YAW_RESERVE);
-    let yaw_bound = room.max(reserve);
-    let yaw = yaw.max(-yaw_bound).min(yaw_bound);
-    let collective = collective.max(low + half_spread + yaw.abs()).min(high - half_spread - yaw.abs());
+    let room = at_least(at_most(collective - half_spread - low, high - half_spread - collective), 0.0);
+    let reserve = 0.5 * at_most(range - 2.0 * half_spread, range * YAW_RESERVE);
+    let yaw_bound = at_least(room, reserve);
+    let yaw = at_most(at_least(yaw, -yaw_bound), yaw_bound);
+    let collective =
+        at_most(at_least(collective, low + half_spread + yaw.abs()), high - half_spread - yaw.abs());
 
     MOTORS.map(|place| {
         let thrust = collective + f32::from(place.left) * roll - f32::from(place.forward) * pitch
             + f32::from(place.yaw) * yaw;
-        thrust.max(low).min(high)
+        at_most(at_least(thrust, low), high)
     })
 }
 
@@ -90,17 +92,17 @@ impl RotorDrive {
         dt_s: f32,
     ) -> [f32; MOTOR_COUNT] {
         let idle = libm::sqrtf(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
-        let lead = (config.rotor_lag_s / ROTOR_RESPONSE_S).max(1.0);
+        let lead = at_least(config.rotor_lag_s / ROTOR_RESPONSE_S, 1.0);
         let mut command = [0.0; MOTOR_COUNT];
         for ((slot, thrust), speed) in command.iter_mut().zip(thrusts_n).zip(self.speed) {
-            let wanted = libm::sqrtf((thrust / config.rotor_thrust_max_n).max(0.0));
-            *slot = (speed + lead * (wanted - speed)).max(idle).min(1.0);
+            let wanted = libm::sqrtf(at_least(thrust / config.rotor_thrust_max_n, 0.0));
+            *slot = at_most(at_least(speed + lead * (wanted - speed), idle), 1.0);
         }
         // An implausible voltage (sense wire off) is not compensated for.
         let voltage =
             battery_v.filter(|v| config.is_plausible_battery(*v)).unwrap_or(config.battery_nominal_v);
         let compensation = config.battery_nominal_v / voltage;
-        let throttles = command.map(|c| (c * compensation).max(idle).min(1.0));
+        let throttles = command.map(|c| at_most(at_least(c * compensation, idle), 1.0));
         // The model follows what the rotors really get: a sagged battery cannot give full speed.
         self.follow(config, throttles.map(|t| t / compensation), dt_s);
         throttles

@@ -8,6 +8,7 @@ use crate::config::{ENVELOPE_LATERAL_RAD, ENVELOPE_PITCH_RAD, LATE_ABORT_COUNT};
 #[derive(Clone, Debug, Default)]
 pub struct Player {
     replay: Option<Replay>,
+    playing: bool,
     elapsed_s: f32,
     complete: bool,
     late_ticks: u32,
@@ -18,40 +19,63 @@ pub struct Player {
 impl Player {
     /// Nothing played yet.
     pub const fn new() -> Self {
-        Self { replay: None, elapsed_s: 0.0, complete: false, late_ticks: 0, ticks: 0, missed_ticks: 0 }
+        Self {
+            replay: None,
+            playing: false,
+            elapsed_s: 0.0,
+            complete: false,
+            late_ticks: 0,
+            ticks: 0,
+            missed_ticks: 0,
+        }
     }
 
-    /// Starts a plan now.
-    pub fn start(&mut self, plan: Plan, now_us: u64) {
-        *self = Self { replay: Some(Replay::new(plan, now_us)), ..Self::new() };
+    /// Lays a plan ready, so that starting it takes no time. Not while one is played.
+    pub fn load(&mut self, plan: Plan) {
+        self.replay = Some(Replay::new(plan, 0));
+    }
+
+    /// Starts the plan that lies ready.
+    pub fn start(&mut self, now_us: u64) {
+        self.elapsed_s = 0.0;
+        self.complete = false;
+        self.late_ticks = 0;
+        self.ticks = 0;
+        self.missed_ticks = 0;
+        if let Some(replay) = &mut self.replay {
+            replay.restart(now_us);
+            self.playing = true;
+        }
     }
 
     /// Ends it, complete or not.
     pub fn stop(&mut self, complete: bool) {
-        self.replay = None;
+        self.playing = false;
         self.complete = complete;
     }
 
     /// Takes the clock into account: call first in every tick of a maneuver, with the time since the last tick. Returns
     /// whether T has passed.
     pub fn observe(&mut self, now_us: u64, interval_us: u64, late: bool) -> bool {
-        let Some(replay) = &self.replay else {
+        let Some(replay) = self.replay.as_ref().filter(|_| self.playing) else {
             return false;
         };
         let duration_s = replay.plan().duration_s();
-        self.elapsed_s = replay.elapsed_s(now_us).min(duration_s);
-        let over = replay.elapsed_s(now_us) >= duration_s;
+        let elapsed_s = replay.elapsed_s(now_us);
+        let over = elapsed_s >= duration_s;
+        self.elapsed_s = if over { duration_s } else { elapsed_s };
         self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
-        let half = u64::from(TICK_PERIOD_US) / 2;
-        let periods = interval_us.saturating_add(half) / u64::from(TICK_PERIOD_US);
-        let missed = u32::try_from(periods.saturating_sub(1)).unwrap_or(u32::MAX);
+        // In 32 bits, for the vehicle divides 64 by a long routine.
+        let interval_us = u32::try_from(interval_us).unwrap_or(u32::MAX);
+        let periods = interval_us.saturating_add(TICK_PERIOD_US / 2) / TICK_PERIOD_US;
+        let missed = periods.saturating_sub(1);
         self.missed_ticks = self.missed_ticks.saturating_add(missed);
         over
     }
 
     /// The command until the next tick; `None` when there is nothing to play.
     pub fn command(&mut self, now_us: u64, period: &TickPeriod) -> Option<Command> {
-        match self.replay.as_mut()?.tick(now_us, period) {
+        match self.replay.as_mut().filter(|_| self.playing)?.tick(now_us, period) {
             Step::Fly(command) => {
                 self.ticks = self.ticks.saturating_add(1);
                 Some(command)

@@ -19,6 +19,8 @@ type TableBytes = Vec<u8, MAX_TABLE_BYTES>;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tables {
     staged: TableBytes,
+    /// Why the staged bytes cannot be flown, where that is known: a host that asks again and again costs nothing.
+    refused: Option<Refusal>,
     committed: Option<Committed>,
 }
 
@@ -30,33 +32,46 @@ struct Committed {
 
 impl Tables {
     pub(crate) const fn new() -> Self {
-        Self { staged: Vec::new(), committed: None }
+        Self { staged: Vec::new(), refused: None, committed: None }
     }
 
     /// Checks the staged bytes and commits them. Returns the duration, s.
-    fn commit(&mut self, checksum: u32, config: &VehicleConfig) -> Result<f32, Refusal> {
+    fn commit(&mut self, checksum: u32, config: &VehicleConfig) -> Result<Commit, Refusal> {
         if self.staged.is_empty() {
             // Asked again after the answer was lost: it is so already.
             let same = self.committed.as_ref().filter(|c| c.checksum == checksum);
-            return same.map(|c| c.table.duration_s()).ok_or(Refusal::NotStaged);
+            return same.map(|c| Commit::Already(c.table.duration_s())).ok_or(Refusal::NotStaged);
         }
+        if let Some(refusal) = self.refused {
+            return Err(refusal);
+        }
+        let table = self.check(checksum, config).inspect_err(|refusal| {
+            // It stays so until other bytes are staged, except that another checksum may be named.
+            self.refused = Some(*refusal).filter(|r| *r != Refusal::NotStaged);
+        })?;
+        let plan = Plan::new(&table);
+        self.committed = Some(Committed { table, checksum });
+        self.staged.clear();
+        Ok(Commit::New(plan))
+    }
+
+    /// The staged table, if it can be flown. The dearest thing there is: 0.3 ms.
+    fn check(&self, checksum: u32, config: &VehicleConfig) -> Result<ManeuverTable, Refusal> {
         let table = ManeuverTable::decode(&self.staged).map_err(Refusal::Table)?;
         if table.checksum() != checksum {
             return Err(Refusal::NotStaged);
         }
         table.check_for(config.hash(), &config.plan_limits()).map_err(Refusal::Table)?;
-        let duration_s = table.duration_s();
-        self.committed = Some(Committed { table, checksum });
-        self.staged.clear();
-        Ok(duration_s)
+        Ok(table)
     }
 
-    fn stage(&mut self, bytes: TableBytes) -> Result<u16, Refusal> {
+    fn stage(&mut self, bytes: &TableBytes) -> Result<u16, Refusal> {
         if bytes.is_empty() {
             return Err(Refusal::Table(TableError::Length));
         }
         let length = bytes.len() as u16;
-        self.staged = bytes;
+        self.staged.clone_from(bytes);
+        self.refused = None;
         Ok(length)
     }
 
@@ -74,69 +89,129 @@ impl Tables {
     pub(crate) fn committed_checksum(&self) -> u32 {
         self.committed.as_ref().map_or(0, |c| c.checksum)
     }
-
-    /// The committed table, laid out in time.
-    pub(crate) fn plan(&self) -> Option<Plan> {
-        self.committed.as_ref().map(|c| Plan::new(&c.table))
-    }
 }
 
-/// Answers that depend on what the supervisor makes of the request: done if this state follows.
-pub(crate) type Pending = Vec<(u16, FlightState), INBOX>;
+/// What a commit did.
+#[expect(clippy::large_enum_variant, reason = "no allocator to box with; it lives for one call")]
+enum Commit {
+    /// The table is committed; this is it in time.
+    New(Plan),
+    /// It was before; its duration, s.
+    Already(f32),
+}
+
+/// What the first part of a tick makes of each request in the inbox, in order; the second part answers.
+pub(crate) type Verdicts = Vec<Verdict, INBOX>;
+
+/// What becomes of a request.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// It is nothing that the motors hang on: the second part carries it out.
+    Later,
+    /// Done, without an answer.
+    Silent,
+    /// Done already, or refused.
+    Now(Result<(), Refusal>),
+    /// Up to the supervisor: done if this state follows.
+    After(FlightState),
+}
 
 impl<M: RecordMemory> FlightLogic<M> {
-    /// Carries out the requests of one tick. What is up to the supervisor goes into `conditions` and is answered after
-    /// its step.
-    pub(crate) fn take_requests(
-        &mut self,
-        inbox: &mut Inbox,
-        now_us: u64,
-        conditions: &mut Conditions,
-        outbox: &mut Outbox,
-    ) -> Pending {
-        let mut pending = Pending::new();
-        while let Some(uplink) = inbox.pop_front() {
-            let number = uplink.number;
-            let reply = if uplink.version == PROTOCOL_VERSION {
-                self.take(number, uplink.request, now_us, conditions)
+    /// Carries out what the motors hang on among the requests of one tick. What is up to the supervisor goes into
+    /// `conditions`.
+    pub(crate) fn take_orders(&mut self, inbox: &Inbox, now_us: u64, conditions: &mut Conditions) {
+        self.verdicts.clear();
+        for uplink in inbox {
+            let verdict = if uplink.version == PROTOCOL_VERSION {
+                self.take(uplink.number, &uplink.request, now_us, conditions)
             } else {
-                Outcome::Now(Reply::Refused(Refusal::ProtocolVersion))
+                Verdict::Now(Err(Refusal::ProtocolVersion))
             };
-            match reply {
-                Outcome::Now(reply) => send(outbox, number, reply),
-                Outcome::Silent => {}
-                // The inbox is no longer than the list.
-                Outcome::After(state) => {
-                    let _ = pending.push((number, state));
-                }
-            }
+            // The inbox is no longer than the list.
+            let _ = self.verdicts.push(verdict);
         }
-        pending
     }
 
-    /// Answers the requests that waited for the supervisor.
-    pub(crate) fn answer(&mut self, pending: Pending, now_us: u64, outbox: &mut Outbox) {
-        for (number, wanted) in pending {
+    /// Carries out the rest and answers. Of what came in since, nothing is touched.
+    pub(crate) fn answer(&mut self, inbox: &mut Inbox, now_us: u64, outbox: &mut Outbox) {
+        let verdicts = core::mem::take(&mut self.verdicts);
+        for verdict in &verdicts {
+            // By reference: a request is 200 bytes long, and most use few of them.
+            let Some(uplink) = inbox.front() else {
+                return;
+            };
+            let number = uplink.number;
             let state = self.state();
-            if wanted == FlightState::Maneuver && state == wanted {
-                self.last_trigger = Some((number, now_us));
+            let reply = match *verdict {
+                Verdict::Silent => None,
+                Verdict::Now(Ok(())) => Some(Reply::Done),
+                Verdict::Now(Err(refusal)) => Some(Reply::Refused(refusal)),
+                Verdict::After(wanted) if state != wanted => Some(Reply::Refused(Refusal::WrongState(state))),
+                Verdict::After(wanted) => {
+                    if wanted == FlightState::Maneuver {
+                        self.last_trigger = Some((number, now_us));
+                    }
+                    Some(Reply::Done)
+                }
+                Verdict::Later => Some(self.serve(&uplink.request).unwrap_or_else(Reply::Refused)),
+            };
+            if let Some(reply) = reply {
+                // A full outbox means that the host asks faster than the link carries; it asks again after its timeout.
+                let _ = outbox.push_back(Message::Reply { number, reply });
             }
-            let reply =
-                if state == wanted { Reply::Done } else { Reply::Refused(Refusal::WrongState(state)) };
-            send(outbox, number, reply);
+            drop(inbox.pop_front());
         }
     }
 
-    fn take(&mut self, number: u16, request: Request, now_us: u64, conditions: &mut Conditions) -> Outcome {
+    fn take(&mut self, number: u16, request: &Request, now_us: u64, conditions: &mut Conditions) -> Verdict {
+        match *request {
+            Request::Identify
+            | Request::Status
+            | Request::StageTable(_)
+            | Request::CommitTable { .. }
+            | Request::ReadTable
+            | Request::ReadRecord { .. } => Verdict::Later,
+            Request::Setpoint(setpoint) => self.take_setpoint(setpoint, now_us),
+            Request::EmergencyStop => {
+                *conditions |= Conditions::EMERGENCY_STOP;
+                Verdict::After(FlightState::Stopped)
+            }
+            Request::Disarm => {
+                *conditions |= Conditions::DISARM;
+                Verdict::After(FlightState::Disarmed)
+            }
+            Request::Arm => match self.may_arm() {
+                Ok(()) => {
+                    *conditions |= Conditions::ARM;
+                    Verdict::After(FlightState::Armed)
+                }
+                Err(refusal) => Verdict::Now(Err(refusal)),
+            },
+            // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
+            Request::Trigger { checksum }
+                if self.has_triggered(number, now_us) && checksum == self.tables.committed_checksum() =>
+            {
+                Verdict::Now(Ok(()))
+            }
+            Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
+                Ok(()) => {
+                    *conditions |= Conditions::TRIGGER;
+                    Verdict::After(FlightState::Maneuver)
+                }
+                Err(refusal) => Verdict::Now(Err(refusal)),
+            },
+        }
+    }
+
+    /// What the motors do not hang on, in the state that the tick has led to.
+    fn serve(&mut self, request: &Request) -> Result<Reply, Refusal> {
         let motors_on = self.state().motors_on();
-        let result = match request {
+        match *request {
             Request::Identify => Ok(Reply::Identity(self.identity())),
             Request::Status => Ok(Reply::Status(self.telemetry())),
             Request::StageTable(_) | Request::CommitTable { .. } if motors_on => Err(Refusal::MotorsOn),
-            Request::StageTable(bytes) => self.tables.stage(bytes).map(|length| Reply::Staged { length }),
-            Request::CommitTable { checksum } => {
-                self.tables.commit(checksum, &self.config).map(|duration_s| Reply::Committed { duration_s })
-            }
+            Request::StageTable(ref bytes) => self.tables.stage(bytes).map(|length| Reply::Staged { length }),
+            Request::CommitTable { checksum } => self.commit(checksum),
             Request::ReadTable => Ok(Reply::Table(self.tables.read())),
             Request::ReadRecord { .. } if self.state() == FlightState::Maneuver => {
                 Err(Refusal::WrongState(FlightState::Maneuver))
@@ -144,50 +219,38 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::ReadRecord { first } => {
                 self.recorder.chunk(first).map(Reply::Record).ok_or(Refusal::NoRecord)
             }
-            Request::Setpoint(setpoint) => return self.take_setpoint(setpoint, now_us),
-            Request::EmergencyStop => {
-                *conditions |= Conditions::EMERGENCY_STOP;
-                return Outcome::After(FlightState::Stopped);
-            }
-            Request::Disarm => {
-                *conditions |= Conditions::DISARM;
-                return Outcome::After(FlightState::Disarmed);
-            }
-            Request::Arm => match self.may_arm() {
-                Ok(()) => {
-                    *conditions |= Conditions::ARM;
-                    return Outcome::After(FlightState::Armed);
-                }
-                Err(refusal) => Err(refusal),
-            },
-            // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
-            Request::Trigger { checksum }
-                if self.has_triggered(number, now_us) && checksum == self.tables.committed_checksum() =>
-            {
-                Ok(Reply::Done)
-            }
-            Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {
-                Ok(()) => {
-                    *conditions |= Conditions::TRIGGER;
-                    return Outcome::After(FlightState::Maneuver);
-                }
-                Err(refusal) => Err(refusal),
-            },
-        };
-        Outcome::Now(result.unwrap_or_else(Reply::Refused))
+            // They have their verdict already.
+            Request::Setpoint(_)
+            | Request::EmergencyStop
+            | Request::Disarm
+            | Request::Arm
+            | Request::Trigger { .. } => Ok(Reply::Done),
+        }
     }
 
-    fn take_setpoint(&mut self, setpoint: Setpoint, now_us: u64) -> Outcome {
+    fn commit(&mut self, checksum: u32) -> Result<Reply, Refusal> {
+        let duration_s = match self.tables.commit(checksum, &self.config)? {
+            Commit::Already(duration_s) => duration_s,
+            Commit::New(plan) => {
+                let duration_s = plan.duration_s();
+                self.player.load(plan);
+                duration_s
+            }
+        };
+        Ok(Reply::Committed { duration_s })
+    }
+
+    fn take_setpoint(&mut self, setpoint: Setpoint, now_us: u64) -> Verdict {
         if !setpoint.is_finite() {
-            return Outcome::Now(Reply::Refused(Refusal::NotFinite));
+            return Verdict::Now(Err(Refusal::NotFinite));
         }
         if !setpoint.is_in_range() {
-            return Outcome::Now(Reply::Refused(Refusal::OutOfRange));
+            return Verdict::Now(Err(Refusal::OutOfRange));
         }
         if self.state().motors_on() {
             self.host_setpoint = Some((setpoint, now_us));
         }
-        Outcome::Silent
+        Verdict::Silent
     }
 
     /// Whether a maneuver was triggered by a request of this number, not long ago: numbers wrap.
@@ -233,19 +296,4 @@ impl<M: RecordMemory> FlightLogic<M> {
             rate_max_radps: self.config.plan_rate_max_radps,
         }
     }
-}
-
-#[expect(clippy::large_enum_variant, reason = "no allocator to box with; it lives for one call")]
-enum Outcome {
-    /// Answer at once.
-    Now(Reply),
-    /// Answer when the supervisor has decided: done if this state follows.
-    After(FlightState),
-    /// No answer.
-    Silent,
-}
-
-fn send(outbox: &mut Outbox, number: u16, reply: Reply) {
-    // A full outbox means that the host asks faster than the link carries; it asks again after its timeout.
-    let _ = outbox.push_back(Message::Reply { number, reply });
 }

@@ -29,17 +29,27 @@ impl<M: RecordMemory> Vehicle<M> {
 
     /// Takes bytes from the serial line, in any pieces.
     pub fn receive(&mut self, bytes: &[u8]) {
+        // What an emergency stop may displace must not be a request with its verdict.
+        self.conclude();
         self.link.receive(bytes, &mut self.inbox);
     }
 
-    /// One control tick. Deadline and bounds: see [`crate::flight`].
+    /// One control tick, as far as the motors wait for it; the rest of it is done by whatever is called next. Deadline and
+    /// bounds: see [`crate::flight`].
     pub fn tick(&mut self, input: &TickInput) -> TickOutput {
+        self.conclude();
         self.logic.set_link_errors(self.link.errors());
-        self.logic.tick(input, &mut self.inbox, &mut self.outbox)
+        self.logic.command(input, &self.inbox)
     }
 
-    /// Fills `out` with bytes for the serial line and returns how many. After each tick.
+    fn conclude(&mut self) {
+        self.logic.conclude(&mut self.inbox, &mut self.outbox);
+    }
+
+    /// Does the rest of the tick, then fills `out` with bytes for the serial line and returns how many. After each tick,
+    /// once the motors have their command.
     pub fn transmit(&mut self, out: &mut [u8]) -> usize {
+        self.conclude();
         self.logic.telemeter(&mut self.outbox);
         self.link.transmit(&mut self.outbox, out)
     }

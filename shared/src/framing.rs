@@ -51,17 +51,41 @@ impl Frame {
 /// # Errors
 /// [`FrameError::TooLong`] where the message does not fit a frame; no message of this protocol is that long.
 pub fn encode<M: Serialize>(message: &M) -> Result<Frame, FrameError> {
-    let mut content = [0; MAX_FRAME_BYTES];
-    let body = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
-    let length = checksum::append(&mut content, body).ok_or(FrameError::TooLong)?;
-    if cobs::max_encoding_length(length) + 1 > MAX_FRAME_BYTES {
-        return Err(FrameError::TooLong);
+    let mut frame = Frame::new();
+    frame.fill(message)?;
+    Ok(frame)
+}
+
+impl Frame {
+    /// Nothing yet.
+    pub const fn new() -> Self {
+        Self { bytes: [0; MAX_FRAME_BYTES], length: 0 }
     }
-    let mut bytes = [0; MAX_FRAME_BYTES];
-    let coded = cobs::encode(content.get(..length).unwrap_or_default(), &mut bytes);
-    // Behind a last group of 254 bytes the encoder leaves the beginning of an empty one, so the zero is written here.
-    *bytes.get_mut(coded).ok_or(FrameError::TooLong)? = 0;
-    Ok(Frame { bytes, length: coded + 1 })
+
+    /// Becomes the frame of a message, in place; empty where there is an error.
+    ///
+    /// # Errors
+    /// As [`encode`].
+    pub fn fill<M: Serialize>(&mut self, message: &M) -> Result<(), FrameError> {
+        self.length = 0;
+        let mut content = [0; MAX_FRAME_BYTES];
+        let body = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
+        let length = checksum::append(&mut content, body).ok_or(FrameError::TooLong)?;
+        if cobs::max_encoding_length(length) + 1 > MAX_FRAME_BYTES {
+            return Err(FrameError::TooLong);
+        }
+        let coded = cobs::encode(content.get(..length).unwrap_or_default(), &mut self.bytes);
+        // Behind a last group of 254 bytes the encoder leaves the beginning of an empty one, so the zero is written here.
+        *self.bytes.get_mut(coded).ok_or(FrameError::TooLong)? = 0;
+        self.length = coded + 1;
+        Ok(())
+    }
+}
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self::new()
+    }
 }
 
 /// Cuts a stream of bytes, arriving in any pieces, into messages.

@@ -50,6 +50,15 @@ pub struct Uplink {
     pub request: Request,
 }
 
+/// A [`Downlink`] about to be sent: the same bytes, without a copy of the message.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct DownlinkRef<'a> {
+    /// [`PROTOCOL_VERSION`].
+    pub version: u8,
+    /// What is said.
+    pub message: &'a Message,
+}
+
 /// Vehicle to host.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Downlink {

@@ -63,6 +63,20 @@ pub trait Real:
     }
 }
 
+/// The value, or the bound where it is below that or not a number. The bound is a number.
+///
+/// As [`f32::max`], but by one comparison: on the vehicle that is a call to a routine of thirty instructions.
+#[inline]
+pub fn at_least(value: f32, bound: f32) -> f32 {
+    if value > bound { value } else { bound }
+}
+
+/// The value, or the bound where it is above that or not a number. The bound is a number.
+#[inline]
+pub fn at_most(value: f32, bound: f32) -> f32 {
+    if value < bound { value } else { bound }
+}
+
 impl Real for f64 {
     #[inline]
     fn from_f64(value: f64) -> Self {

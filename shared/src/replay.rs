@@ -11,6 +11,7 @@
 
 use crate::model::{Limits, Segment, State};
 use crate::motion::{self, Turn};
+use crate::real::{at_least, at_most};
 use crate::table::{self, ArcProfile, MAX_SEGMENTS, ManeuverTable};
 use heapless::Vec;
 
@@ -64,17 +65,17 @@ impl Plan {
 
     /// The parts of segments that lie in \[from, to\]: inputs, begin and length of each part.
     fn parts(&self, from_s: f32, to_s: f32) -> impl Iterator<Item = (&Segment<f32>, f32, f32)> {
-        self.segments
-            .iter()
-            .scan(0.0_f32, |begin, (end, segment)| {
-                let segment_begin = core::mem::replace(begin, *end);
-                Some((segment, segment_begin, *end))
-            })
-            .filter_map(move |(segment, begin, end)| {
-                let begin = begin.max(from_s);
-                let length = end.min(to_s) - begin;
-                (length > 0.0).then_some((segment, begin, length))
-            })
+        let mut segment_begin = 0.0_f32;
+        self.segments.iter().filter_map(move |(end, segment)| {
+            let begin = core::mem::replace(&mut segment_begin, *end);
+            // Most segments are over or still to come: two comparisons each.
+            if *end <= from_s || begin >= to_s {
+                return None;
+            }
+            let begin = at_least(begin, from_s);
+            let length = at_most(*end, to_s) - begin;
+            (length > 0.0).then_some((segment, begin, length))
+        })
     }
 
     fn turn(&self, segment: &Segment<f32>, begin_s: f32, length_s: f32) -> Turn<f32> {
@@ -125,7 +126,8 @@ impl TickPeriod {
     /// Takes the interval between two ticks into account.
     pub fn observe(&mut self, interval_us: u64) {
         let nominal = TICK_PERIOD_US as f32;
-        let interval = interval_us.min(u64::from(TICK_PERIOD_US) * 16) as f32;
+        // In 32 bits: the processor converts those by itself.
+        let interval = interval_us.min(u64::from(TICK_PERIOD_US) * 16) as u32 as f32;
         if (interval - nominal).abs() <= Self::PLAUSIBLE * nominal {
             self.estimate_us += Self::GAIN * (interval - self.estimate_us);
         }
@@ -178,6 +180,15 @@ impl Replay {
         }
     }
 
+    /// The same maneuver from its beginning, at `start_us`.
+    pub fn restart(&mut self, start_us: u64) {
+        self.start_us = start_us;
+        self.settled_s = 0.0;
+        self.last = Command::default();
+        self.owed_angle_rad = 0.0;
+        self.owed_impulse_mps = 0.0;
+    }
+
     /// The plan being flown.
     pub fn plan(&self) -> &Plan {
         &self.plan
@@ -186,7 +197,7 @@ impl Replay {
     /// Time since the start, s. Zero before it.
     pub fn elapsed_s(&self, now_us: u64) -> f32 {
         // A maneuver lasts at most 10 s: microseconds fit f32 to better than 1 µs, and the cap keeps a wild clock finite.
-        now_us.saturating_sub(self.start_us).min(100_000_000) as f32 * 1.0e-6
+        now_us.saturating_sub(self.start_us).min(100_000_000) as u32 as f32 * 1.0e-6
     }
 
     /// The command from now until the next tick, expected one `period` later.
@@ -198,10 +209,10 @@ impl Replay {
             return Step::Over;
         }
         self.settle(now_s);
-        let next_s = (now_s + period.period_s()).min(duration_s);
+        let next_s = at_most(now_s + period.period_s(), duration_s);
         let span_s = next_s - now_s;
         let (angle, impulse) = self.plan.integrals(now_s, next_s);
-        let repayment_s = span_s.max(SHORTEST_REPAYMENT_S);
+        let repayment_s = at_least(span_s, SHORTEST_REPAYMENT_S);
         // span_s is above zero: now_s is below T, and a period is far above the resolution of f32 there; a span that
         // rounds to nothing would give the default command.
         let average = |integral: f32, owed: f32| {
@@ -210,8 +221,8 @@ impl Replay {
         let rate_bound = RATE_HEADROOM * self.plan.limits.rate_max_radps;
         let thrust_bound = THRUST_HEADROOM * self.plan.limits.thrust_max_mps2;
         self.last = Command {
-            rate_radps: average(angle, self.owed_angle_rad).max(-rate_bound).min(rate_bound),
-            thrust_mps2: average(impulse, self.owed_impulse_mps).max(0.0).min(thrust_bound),
+            rate_radps: at_most(at_least(average(angle, self.owed_angle_rad), -rate_bound), rate_bound),
+            thrust_mps2: at_most(at_least(average(impulse, self.owed_impulse_mps), 0.0), thrust_bound),
         };
         Step::Fly(self.last)
     }

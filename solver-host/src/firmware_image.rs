@@ -7,6 +7,8 @@ use sha2::{Digest, Sha256};
 
 /// The chip's target.
 const TARGET: &str = "thumbv7em-none-eabihf";
+/// The workspace's profile for the board.
+const PROFILE: &str = "firmware";
 /// Package and binary.
 const PACKAGE: &str = "mintime-firmware";
 
@@ -87,7 +89,7 @@ impl FirmwareImage {
         }
         install_target(root, say)?;
         let folder = root.join("target/firmware");
-        let image = folder.join(TARGET).join("release").join(PACKAGE);
+        let image = folder.join(TARGET).join(PROFILE).join(PACKAGE);
         say(if image.is_file() {
             "building the firmware image"
         } else {
@@ -98,7 +100,8 @@ impl FirmwareImage {
             .current_dir(root)
             .args([
                 "build",
-                "--release",
+                "--profile",
+                PROFILE,
                 "--quiet",
                 "--package",
                 PACKAGE,

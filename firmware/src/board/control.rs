@@ -1,7 +1,9 @@
 //! The control tick: 800 times a second from gyro to motors, in an interrupt of its own.
 //!
-//! Deadline: 1250 µs after the edge that starts it; the motors have their frame within 100 µs. Order within a tick: last
-//! frame looked after, gyro read, flight logic, motors; then at most [`BYTES_PER_TICK`] link bytes each way, a little
+//! Deadline: 1250 µs after the edge that starts it; the motors' frame is ready [`MOTOR_START_US`](super::facts) after that
+//! edge and begins just then, so that its last bit ends within 100 µs; one that is late begins at once and is counted
+//! among the motor errors. Order within a tick: last frame looked after, gyro read, what the flight logic commands, motors;
+//! then what it does besides (requests, answers, the record: a table's check takes 0.3 ms) and at most [`BYTES_PER_TICK`] link bytes each way, a little
 //! more than the line can carry, so that the link delays no motor. A tick that comes late is counted and the following
 //! ones keep their times: the flight logic takes time from the clock, never from counting ticks.
 
@@ -26,7 +28,7 @@ use static_cell::StaticCell;
 use super::dshot::Motors;
 use super::facts::{CONTROL_INTERRUPT, CORE_MHZ, MOTOR_ARMING_FRAMES};
 use super::imu::{self, Imu, Outcome};
-use super::link::{INBOX, OUTBOX};
+use super::link::{OUTBOX, Receiver};
 use super::tick_source::{self, LateTimer};
 use super::vehicle::{self, BoardVehicle};
 use super::watchdog::{self, Party};
@@ -56,6 +58,7 @@ struct Control {
     /// `None` until it is set up, for ever if it cannot be.
     imu: Option<Imu>,
     gyro_pending: bool,
+    receiver: Receiver,
     motors: Motors,
     /// Whether the last frame was sent in full.
     motors_well: bool,
@@ -73,12 +76,13 @@ struct Control {
 
 /// Starts the control tick.
 #[allow(unsafe_code)]
-pub(super) fn start(motors: Motors, late_timer: LateTimer) {
+pub(super) fn start(receiver: Receiver, motors: Motors, late_timer: LateTimer) {
     let now_us = Instant::now().as_micros();
     let control = CONTROL.init_with(|| Control {
         vehicle: vehicle::take(),
         imu: None,
         gyro_pending: true,
+        receiver,
         motors,
         motors_well: false,
         arming_frames: 0,
@@ -154,7 +158,7 @@ impl Control {
         let input = TickInput { now_us, imu, battery_v, kill: false };
         let output = self.vehicle.tick(&input);
         let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
-        self.motors.send(&frames);
+        self.motors.send(&frames, edge);
         self.answered_edge = edge;
 
         // The motors have theirs; now everything that may take its time.
@@ -249,7 +253,7 @@ impl Control {
             rest = rest.get(taken..).unwrap_or_default();
         }
 
-        let received = INBOX.try_read(&mut self.watch.received).unwrap_or(0);
+        let received = self.receiver.take(&mut self.watch.received);
         self.watch.room = room as u32;
         self.watch.received_len = received as u32;
         self.vehicle.receive(self.watch.received());

@@ -3,8 +3,14 @@
 //! TIM4 counts 140 cycles of 84 MHz per bit and pulses its four channels by their compare registers, which are
 //! preloaded: what is written during a bit holds from the next one on. At each update the timer asks the DMA
 //! controller for four words, the next bit of each motor, which go to the four compare registers through DMAR. The
-//! first bit is written by the program; 16 and 17 are empty, so that the line is low when the stream ends. The
-//! stream's interrupt stops the timer there, before it could ask for more: a request that nobody serves would be
+//! first bit is written by the program; 16 and 17 are empty, so that the line is low when the stream ends.
+//!
+//! A frame begins [`MOTOR_START_US`] after the gyro's edge, not when the program is done: the timer first counts what is
+//! left of that with all lines low, as one long empty bit, and the update at its end begins the first. So the latency is
+//! that constant to within the stamp's own error, and the processor is free meanwhile. A frame that is ready too late
+//! begins at once and is counted.
+//!
+//! The stream's interrupt stops the timer there, before it could ask for more: a request that nobody serves would be
 //! served first in the next frame and shift it by a bit.
 //!
 //! Nothing waits: a frame is started in one tick and looked after in the next, 1.2 ms after it had to be finished.
@@ -22,7 +28,8 @@ use mintime_firmware::config::MOTOR_COUNT;
 use mintime_firmware::dshot::{BIT_COUNTS, FRAME_BITS, Frame};
 
 use super::facts::{
-    CORE_MHZ, MOTOR_DMA_CHANNEL, MOTOR_DMA_STREAM, MOTOR_FIRST_COMPARE, MOTOR_TIMER, MotorParts,
+    CORE_MHZ, MOTOR_DMA_CHANNEL, MOTOR_DMA_STREAM, MOTOR_FIRST_COMPARE, MOTOR_START_US, MOTOR_TIMER,
+    MotorParts, TIMER_MHZ,
 };
 use super::motors;
 
@@ -30,8 +37,14 @@ use super::motors;
 const STREAM_BITS: usize = FRAME_BITS + 1;
 /// Words that the stream moves.
 const STREAM_WORDS: u16 = (STREAM_BITS * MOTOR_COUNT) as u16;
-/// A frame and its two empty bits last 30 µs. One that takes longer than this is lost.
-const FRAME_LIMIT_CYCLES: u32 = 60 * CORE_MHZ;
+/// A frame and its two empty bits last 30 µs. One that takes longer than this from when it was handed over is lost.
+const FRAME_LIMIT_CYCLES: u32 = (MOTOR_START_US + 60) * CORE_MHZ;
+/// Processor cycles per count of the timer.
+const CYCLES_PER_COUNT: u32 = CORE_MHZ / TIMER_MHZ as u32;
+/// From the edge to the first bit, counts of the timer.
+const WAIT_COUNTS: u16 = MOTOR_START_US as u16 * TIMER_MHZ;
+/// The wait can begin here at the latest.
+const LAST_COUNT: u16 = WAIT_COUNTS - 2;
 /// Polls for the stream to let go when it is switched off: it finishes the word it has in hand.
 const STOP_POLLS: u32 = 200;
 
@@ -82,13 +95,15 @@ impl Motors {
         None
     }
 
-    /// Starts a frame. One that is still under way is let finish, and this one is counted as an error.
-    pub(super) fn send(&mut self, frames: &[Frame; MOTOR_COUNT]) {
+    /// Starts a frame: at its time after the edge that it answers, or at once where there is none or the time is past. One
+    /// that is still under way is let finish, and this one is counted as an error.
+    pub(super) fn send(&mut self, frames: &[Frame; MOTOR_COUNT], edge: Option<u32>) {
         if self.under_way.is_some() || DMA1.st(MOTOR_DMA_STREAM).cr().read().en() {
             self.errors = self.errors.saturating_add(1);
             return;
         }
-        for (slot, words) in (1..).zip(&BITS) {
+        // The last two are empty for ever.
+        for (slot, words) in (1..FRAME_BITS).zip(&BITS) {
             for (word, frame) in words.iter().zip(frames) {
                 word.store(u32::from(frame.pulse_counts(slot)), Ordering::Relaxed);
             }
@@ -110,19 +125,26 @@ impl Motors {
             w.set_teie(true);
             w.set_en(true);
         });
+        // The round that waits, an empty bit; all lines stay low. No request, for the stream's first word is the second bit.
+        MOTOR_TIMER.arr().write(|w| w.set_arr(WAIT_COUNTS));
+        MOTOR_TIMER.egr().write(|w| w.set_ug(true));
+        // These hold from the end of that round on: the first bit, on all lines at once, and the request for the second.
+        set_bit_rate();
         for (channel, frame) in frames.iter().enumerate() {
             MOTOR_TIMER.ccr(channel).write(|w| w.set_ccr(frame.pulse_counts(0)));
         }
         MOTOR_TIMER.dier().write(|w| w.set_ude(true));
-        // From here to the update the counter is at the beginning of an empty bit: all lines stay low.
-        MOTOR_TIMER.cnt().write(|w| w.set_cnt(0));
+        // The round began with the edge.
+        let now = DWT::cycle_count();
+        let passed = edge.map_or(u32::MAX, |edge| now.wrapping_sub(edge) / CYCLES_PER_COUNT);
+        let late = passed > u32::from(LAST_COUNT);
+        MOTOR_TIMER.cnt().write(|w| w.set_cnt(if late { LAST_COUNT } else { passed as u16 }));
         MOTOR_TIMER.cr1().write(|w| {
             w.set_arpe(true);
             w.set_cen(true);
         });
-        // The first bit begins now, on all lines at once, and the second is asked for.
-        MOTOR_TIMER.egr().write(|w| w.set_ug(true));
-        self.under_way = Some(DWT::cycle_count());
+        self.under_way = Some(now);
+        self.errors = self.errors.saturating_add(u32::from(late && edge.is_some()));
     }
 
     /// Frames that were not sent in time or not in full.
@@ -145,11 +167,16 @@ impl Motors {
     }
 }
 
+/// A round of the timer is a bit, from the end of the present one on.
+fn set_bit_rate() {
+    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+}
+
 /// The timer from scratch: stopped, four channels in PWM mode 1 at zero.
 fn set_up_timer() {
     rcc::enable_and_reset::<peripherals::TIM4>();
     MOTOR_TIMER.psc().write_value(0);
-    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+    set_bit_rate();
     for pair in 0..2 {
         MOTOR_TIMER.ccmr_output(pair).write(|w| {
             for channel in 0..2 {

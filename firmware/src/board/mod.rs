@@ -1,4 +1,5 @@
 //! The STM32F405 board: start-up order and the tasks.
+#![allow(deprecated, reason = "the early hook needs no memory; in assembly it would repeat the pins")]
 
 mod battery;
 mod control;
@@ -23,7 +24,6 @@ use defmt_rtt as _;
 /// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
 /// lines are no signal that anybody chose.
 #[allow(unsafe_code)]
-#[allow(deprecated, reason = "what it calls needs no memory; in assembly it would repeat the pins")]
 #[cortex_m_rt::pre_init]
 unsafe fn before_memory() {
     // Registers only: no static of the program is read or written.
@@ -53,21 +53,17 @@ fn start() -> ! {
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);
-    let Ok(link) = link::open(parts.link) else { fault::set_up_failed(line!()) };
+    let Ok((receiver, transmitter)) = link::open(parts.link) else { fault::set_up_failed(line!()) };
 
-    control::start(dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
+    control::start(receiver, dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
     let crashed = crash.is_some();
     idle::run(|spawner| {
-        let (Ok(gyro), Ok(receive), Ok(transmit), Ok(supervise)) = (
-            imu::set_up(parts.gyro),
-            link::receive(link.rx),
-            link::transmit(link.tx),
-            supervision::run(battery, led, crashed),
-        ) else {
+        let (Ok(gyro), Ok(transmit), Ok(supervise)) =
+            (imu::set_up(parts.gyro), link::transmit(transmitter), supervision::run(battery, led, crashed))
+        else {
             fault::set_up_failed(line!())
         };
         spawner.spawn(gyro);
-        spawner.spawn(receive);
         spawner.spawn(transmit);
         spawner.spawn(supervise);
     })

@@ -2,7 +2,7 @@
 
 use embassy_stm32::pac;
 use embassy_stm32::pac::gpio::vals::{Moder, Ospeedr, Ot, Pupdr};
-use mintime_firmware::dshot::{FRAME_BITS, ZERO_COUNTS};
+use mintime_firmware::dshot::{BIT_COUNTS, FRAME_BITS, ZERO_COUNTS};
 
 use super::facts::{MOTOR_ALTERNATE_FUNCTION, MOTOR_DMA_STREAM, MOTOR_PINS, MOTOR_PORT, MOTOR_TIMER};
 
@@ -57,6 +57,8 @@ fn send_stop_frames() {
     MOTOR_TIMER.dier().write(|_| {});
     pac::DMA1.st(MOTOR_DMA_STREAM).cr().modify(|w| w.set_en(false));
     set_pulse(0);
+    // Where a frame was waiting for its time the counter's present round is longer; the gap leaves room for it.
+    MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
     MOTOR_TIMER.cr1().write(|w| {
         w.set_arpe(true);
         w.set_cen(true);

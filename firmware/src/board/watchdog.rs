@@ -21,13 +21,11 @@ const RELOAD: u16 = 750;
 pub(super) enum Party {
     /// The control tick ran.
     Control = 1 << 0,
-    /// The receiving side of the link went round its loop.
-    LinkReceive = 1 << 1,
-    /// The sending side of the link went round its loop.
-    LinkTransmit = 1 << 2,
+    /// The sending side of the link went round its loop; the receiving side is part of the control tick.
+    LinkTransmit = 1 << 1,
 }
 
-const ALL: u32 = Party::Control as u32 | Party::LinkReceive as u32 | Party::LinkTransmit as u32;
+const ALL: u32 = Party::Control as u32 | Party::LinkTransmit as u32;
 
 static CHECKED_IN: AtomicU32 = AtomicU32::new(0);
 
