@@ -258,22 +258,39 @@ fn a_batch_is_answered_line_by_line_in_order() {
         "{".to_owned(),
         line("n", "[5,0,5,0]", ""),
         line("x", "[1,0,1,0,0]", r#","turn":1"#),
+        line("t", "[1,0,1,0,0]", r#","turns":0.5"#),
+        r#"{"name":"cut","from":[0,0"#.to_owned(),
     ];
     std::fs::write(folder.path().join("bad.jsonl"), bad.join("\n")).expect("writable");
     let output = mintime(folder.path(), &["solve", "--batch", "bad.jsonl"]);
     assert!(!output.status.success());
     let text = String::from_utf8(output.stdout).expect("text");
     let answers: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
-    assert_eq!(answers.len(), 4);
+    assert_eq!(answers.len(), 6);
     assert!(answers[0]["duration_s"].is_f64());
-    for (i, name) in [(1, "line 2"), (2, "n"), (3, "x")] {
+    for (i, name) in [(1, "line 2"), (2, "n"), (3, "x"), (4, "t"), (5, "cut")] {
         assert_eq!(answers[i]["name"], name);
         assert!(
             answers[i]["error"].as_str().expect("a sentence").contains("not a request"),
             "{}",
             answers[i]
         );
+        assert_eq!(answers[i]["error"].to_string().matches("line ").count(), 1, "{}", answers[i]);
     }
+    let turns = answers[4]["error"].to_string();
+    assert!(turns.contains("a whole number or") && !turns.contains("untagged"), "{turns}");
+}
+
+#[test]
+fn nothing_to_fly_says_which_winding_it_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let full = "0,0,0,0,6.283185307179586";
+    let output = mintime(folder.path(), &["solve", "--to", full, "--json"]);
+    let answer: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!((&answer["duration_s"], &answer["turns"]), (&Value::from(0.0), &Value::from(-1)));
+    let output = mintime(folder.path(), &["solve", "--to", full, "--turns", "0", "--json"]);
+    let flip: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert!(flip["duration_s"].as_f64().is_some_and(|t| t > 0.9), "{flip}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod requests;
 
-use mintime::solver::{Request, SolveError, Turns, solve};
+use mintime::solver::{Request, SolveError, Turns, solve, solve_all_windings};
 use mintime_shared::model::{Limits, State};
 use requests::{Class, requests};
 
@@ -32,7 +32,7 @@ fn backwards(s: State<f64>) -> State<f64> {
 
 #[test]
 fn a_mirrored_request_takes_as_long() {
-    for request in sample(&[Class::RestToRest, Class::Moving, Class::Limits, Class::UpsideDown], 12) {
+    for request in sample(&[Class::RestToRest, Class::Moving, Class::Limits, Class::UpsideDown], 5) {
         let image = Request { from: mirrored(request.from), to: mirrored(request.to), ..request };
         assert_equal(&request, duration(&request), duration(&image));
     }
@@ -51,6 +51,114 @@ fn a_request_run_backwards_takes_as_long_for_each_winding() {
                 ..request
             };
             assert_equal(&forth, duration(&forth), duration(&back));
+        }
+    }
+}
+
+#[test]
+fn a_request_run_backwards_takes_as_long() {
+    for request in sample(&[Class::Moving, Class::Limits, Class::UpsideDown], 4) {
+        let back = Request { from: backwards(request.to), to: backwards(request.from), ..request };
+        assert_equal(&request, duration(&request), duration(&back));
+    }
+}
+
+#[test]
+fn no_winding_asked_for_is_faster_than_the_fastest() {
+    for request in sample(&[Class::RestToRest, Class::Moving, Class::Limits, Class::UpsideDown], 11) {
+        let any = duration(&request);
+        let nearest = request.nearest_turns();
+        for k in nearest - 2..=nearest + 2 {
+            match solve(&Request { turns: Turns::Exactly(k), ..request }) {
+                Ok(fixed) => assert!(fixed.extremal.duration_s() >= any * (1.0 - EQUAL), "{request:?} {k}"),
+                Err(error) => {
+                    assert!(matches!(error, SolveError::NotVerified { .. }), "{request:?} {k}: {error}");
+                }
+            }
+        }
+    }
+}
+
+/// Two that were once missed by a wide margin: the maneuver is so short that the turning rules it.
+#[test]
+fn short_maneuvers_take_the_winding_that_is_fastest() {
+    let up_side_down = Request {
+        from: State { vx: -1.0, ..State::origin() },
+        to: State { vz: -1.0, theta: core::f64::consts::PI, ..State::origin() },
+        ..Request::rest_to_rest(0.0, 0.0)
+    };
+    assert!((duration(&up_side_down) - 0.6359).abs() < 1e-4);
+    let slow_to_turn = Request {
+        from: State::from_array([0.0, 2.7717484777479555, 0.0, 5.184734124072264, -0.04319691594559094]),
+        to: State::from_array([
+            3.079021327672999,
+            2.3097764519446002,
+            0.8400517150792179,
+            -2.5929989387902914,
+            -1.1836090705894722,
+        ]),
+        limits: Limits {
+            thrust_min_mps2: 3.419124447461917,
+            thrust_max_mps2: 14.994859480727223,
+            rate_max_radps: 3.7939045351738345,
+            ..Limits::TABLE_I
+        },
+        turns: Turns::Any,
+    };
+    assert!((duration(&slow_to_turn) - 1.4861).abs() < 1e-4);
+}
+
+#[test]
+fn all_windings_are_those_that_are_solved_one_by_one() {
+    for request in sample(&[Class::RestToRest, Class::Moving, Class::Limits, Class::UpsideDown], 60) {
+        let all = solve_all_windings(&request).unwrap_or_else(|e| panic!("{request:?}: {e}"));
+        assert!(all.unsolved.is_empty(), "{request:?}: {:?}", all.unsolved);
+        for other in &all.alternatives {
+            assert!(other.duration_s >= all.extremal.duration_s() * (1.0 - EQUAL), "{request:?}");
+            if let Ok(fixed) = solve(&Request { turns: Turns::Exactly(other.turns), ..request }) {
+                assert!(
+                    other.duration_s <= fixed.extremal.duration_s() * (1.0 + EQUAL),
+                    "{request:?} {other:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Whole turns of the start's angle and a displaced origin change the winding's number and nothing else.
+#[test]
+fn only_differences_of_angles_and_positions_count() {
+    let moved = |s: State<f64>, turns: f64| State {
+        x: s.x + 1e7,
+        z: s.z - 1e7,
+        theta: s.theta + turns * core::f64::consts::TAU,
+        ..s
+    };
+    let here =
+        Request { from: State { vx: 1.0, theta: 0.5, ..State::origin() }, ..Request::rest_to_rest(4.0, 2.0) };
+    let near = solve_all_windings(&here).expect("solved");
+    for (start, end) in [(1, 0), (0, -3), (16, 0), (-100, 250)] {
+        let request =
+            Request { from: moved(here.from, f64::from(start)), to: moved(here.to, f64::from(end)), ..here };
+        let far = solve_all_windings(&request).expect("solved");
+        assert_equal(&request, near.extremal.duration_s(), far.extremal.duration_s());
+        assert_eq!(far.extremal.turns, near.extremal.turns + start - end);
+        assert_eq!(far.alternatives.len(), near.alternatives.len());
+        for (a, b) in near.alternatives.iter().zip(&far.alternatives) {
+            assert!((a.duration_s - b.duration_s).abs() < EQUAL, "{a:?} {b:?}");
+            let again = solve(&Request { turns: Turns::Exactly(b.turns), ..request }).expect("solved");
+            assert_equal(&request, b.duration_s, again.extremal.duration_s());
+        }
+    }
+}
+
+#[test]
+fn eight_turns_either_way_are_found() {
+    for (x, z) in [(0.0, 0.0), (2.0, 1.0)] {
+        for k in [-8, -7, -5, 5, 7, 8] {
+            let request = Request { turns: Turns::Exactly(k), ..Request::rest_to_rest(x, z) };
+            let back = Request { turns: Turns::Exactly(-k), ..Request::rest_to_rest(-x, z) };
+            assert_equal(&request, duration(&request), duration(&back));
         }
     }
 }

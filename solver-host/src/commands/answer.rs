@@ -1,7 +1,7 @@
 //! One solved request as JSON. Field names are part of the interface.
 
 use mintime::pack::{PackError, pack};
-use mintime::solver::{Certificate, Request, Solution, SolveError, solve_all_windings};
+use mintime::solver::{Certificate, Request, Solution, SolveError, Turns, solve_all_windings};
 use mintime_shared::model::{RateMode, ThrustLevel};
 use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable};
 use serde::Serialize;
@@ -20,6 +20,9 @@ pub(crate) struct Answer {
     pub(crate) costate: Option<[f64; 4]>,
     pub(crate) certificate: Certificate,
     pub(crate) alternatives: Vec<AnswerAlternative>,
+    /// Windings that could have won but were not solved.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) unsolved: Vec<i32>,
     pub(crate) solve_time_s: f64,
     /// 0 where there is no table.
     pub(crate) table_bytes: usize,
@@ -46,26 +49,13 @@ pub(crate) struct Solved {
     pub(crate) maneuver: Option<(Solution, Result<ManeuverTable, PackError>)>,
 }
 
-/// Verification integrates every turn: beyond this rate it takes minutes, and no vehicle is there, rad/s.
-const RATE_MAX_RADPS: f64 = 1.0e5;
-
-/// Why a request has no answer.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum AnswerError {
-    #[error("the maximum body rate is above {RATE_MAX_RADPS} rad/s: give one that a vehicle could have")]
-    Rate,
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-}
-
 /// Solves a request, packs the maneuver and replays the table.
-pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, AnswerError> {
-    if request.limits.rate_max_radps > RATE_MAX_RADPS {
-        return Err(AnswerError::Rate);
-    }
+pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, SolveError> {
     let clock = Instant::now();
     let solution = match solve_all_windings(request) {
-        Err(SolveError::AlreadyThere) => return Ok(Solved { answer: at_once(name), maneuver: None }),
+        Err(SolveError::AlreadyThere) => {
+            return Ok(Solved { answer: at_once(request, name), maneuver: None });
+        }
         result => result?,
     };
     let solve_time_s = clock.elapsed().as_secs_f64();
@@ -93,14 +83,15 @@ pub(crate) fn answer(request: &Request, name: Option<String>) -> Result<Solved, 
             .iter()
             .map(|a| AnswerAlternative { turns: a.turns, duration_s: a.duration_s })
             .collect(),
+        unsolved: solution.unsolved.to_vec(),
         solve_time_s,
         table_bytes,
     };
     Ok(Solved { answer, maneuver: Some((solution, table)) })
 }
 
-/// Start and end are the same state: T = 0, nothing to fly.
-fn at_once(name: Option<String>) -> Answer {
+/// Start and end are the same state, but perhaps for whole turns of the angles that are given: T = 0, nothing to fly.
+fn at_once(request: &Request, name: Option<String>) -> Answer {
     let certificate = Certificate {
         verified: true,
         degenerate: true,
@@ -115,11 +106,15 @@ fn at_once(name: Option<String>) -> Answer {
     Answer {
         name,
         duration_s: 0.0,
-        turns: 0,
+        turns: match request.turns {
+            Turns::Exactly(k) => k,
+            Turns::Any => request.nearest_turns(),
+        },
         segments: Vec::new(),
         costate: None,
         certificate,
         alternatives: Vec::new(),
+        unsolved: Vec::new(),
         solve_time_s: 0.0,
         table_bytes: 0,
     }

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use mintime::solver::{Request, Turns};
 use mintime_shared::model::{Limits, State};
-use serde::Deserialize;
-use serde_json::json;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
+use serde_json::{Value, json};
 
 use super::answer::answer;
 
@@ -25,17 +26,22 @@ struct Line {
 }
 
 /// A number of turns, or `any`.
-#[derive(Deserialize)]
-#[serde(untagged)]
 enum Winding {
     Exactly(i32),
-    Any(Any),
+    Any,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Any {
-    Any,
+impl<'de> Deserialize<'de> for Winding {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        let whole =
+            value.as_i64().map(|k| i32::try_from(k).unwrap_or(if k < 0 { i32::MIN } else { i32::MAX }));
+        match (whole, value.as_str()) {
+            (Some(k), _) => Ok(Self::Exactly(k)),
+            (None, Some("any")) => Ok(Self::Any),
+            _ => Err(D::Error::custom("turns must be a whole number or \"any\"")),
+        }
+    }
 }
 
 impl Line {
@@ -52,7 +58,7 @@ impl Line {
             },
             turns: match self.turns {
                 Some(Winding::Exactly(k)) => Turns::Exactly(k),
-                Some(Winding::Any(Any::Any)) | None => Turns::Any,
+                Some(Winding::Any) | None => Turns::Any,
             },
         }
     }
@@ -93,7 +99,13 @@ pub(crate) fn answer_file(path: &Path) -> Result<Answers, String> {
 /// [`answer_line`], and where it panics, which would be a defect, an error for this line instead of none for all.
 fn guarded(index: usize, line: &str) -> (String, bool) {
     std::panic::catch_unwind(|| answer_line(index, line)).unwrap_or_else(|_| {
-        (failure(&format!("line {}", index + 1), "the solver failed on this line: please report it"), false)
+        (
+            failure(
+                &name_in(line).unwrap_or_else(|| format!("line {}", index + 1)),
+                "the solver failed on this line: please report it",
+            ),
+            false,
+        )
     })
 }
 
@@ -102,11 +114,16 @@ fn answer_line(index: usize, line: &str) -> (String, bool) {
     let parsed: Line = match serde_json::from_str(line) {
         Ok(parsed) => parsed,
         Err(error) => {
-            let name = serde_json::from_str::<serde_json::Value>(line)
-                .ok()
-                .and_then(|v| v["name"].as_str().map(str::to_owned))
-                .unwrap_or_else(|| format!("line {}", index + 1));
-            return (failure(&name, &format!("line {} is not a request: {error}", index + 1)), false);
+            let name = name_in(line).unwrap_or_else(|| format!("line {}", index + 1));
+            // The parser counts lines too, but within this one.
+            let text = error.to_string();
+            let reason = text.split(" at line ").next().unwrap_or(&text);
+            let column =
+                if error.column() > 0 { format!(" (column {})", error.column()) } else { String::new() };
+            return (
+                failure(&name, &format!("line {} is not a request: {reason}{column}", index + 1)),
+                false,
+            );
         }
     };
     let solved = answer(&parsed.request(), Some(parsed.name.clone()));
@@ -115,6 +132,16 @@ fn answer_line(index: usize, line: &str) -> (String, bool) {
         Ok(Err(error)) => (failure(&parsed.name, &error.to_string()), false),
         Err(error) => (failure(&parsed.name, &error.to_string()), false),
     }
+}
+
+/// The `name` of a line, as far as it can be read: also where the rest is not JSON.
+fn name_in(line: &str) -> Option<String> {
+    if let Ok(value) = serde_json::from_str::<Value>(line) {
+        return value["name"].as_str().map(str::to_owned);
+    }
+    let after = line.split_once("\"name\"")?.1.trim_start().strip_prefix(':')?.trim_start();
+    // The first value of what follows, whatever comes after it.
+    serde_json::Deserializer::from_str(after).into_iter::<String>().next()?.ok()
 }
 
 fn failure(name: &str, error: &str) -> String {

@@ -48,7 +48,7 @@ pub(crate) struct Solve {
     trajectory: Option<PathBuf>,
     /// Samples a second in the trajectory; its last line is the end
     #[arg(long, value_name = "N", value_parser = numbers::positive, allow_hyphen_values = true,
-          default_value = "800")]
+          default_value = "800", requires = "trajectory")]
     sample_hz: f64,
     /// Answer a file of requests, one JSON object a line, like
     /// {"name":"a","from":[0,0,0,0,0],"to":[5,0,5,0,0],"thrust":[1,20],"rate":10,"gravity":9.81}; only "turns" (a whole
@@ -193,6 +193,9 @@ pub(crate) fn page(answer: &Answer) -> String {
     }
     for a in &answer.alternatives {
         lines.push(format!("also       turns {}: {:.9} s", a.turns, a.duration_s));
+    }
+    for k in &answer.unsolved {
+        lines.push(format!("unsolved   turns {k}: no verified maneuver found, though it could be faster"));
     }
     lines.push(format!("table      {} bytes", answer.table_bytes));
     lines.push(format!("time       {:.3} ms", answer.solve_time_s * 1e3));

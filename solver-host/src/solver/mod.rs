@@ -50,7 +50,10 @@ mod windings;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 pub use extremal::Extremal;
-pub use request::{Alternative, MAX_ALTERNATIVES, MOST_TURNS, Request, Solution, SolveError, Turns};
+pub use request::{
+    ANGLE_MAX_RAD, Alternative, LONGEST_RAD, MAX_ALTERNATIVES, MOST_TURNS, Request, Solution, SolveError,
+    Turns,
+};
 pub use sensitivity::Sensitivities;
 pub use structure::MAX_SEGMENTS;
 pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, verify};
@@ -60,6 +63,7 @@ use newton::Newton;
 use problem::Problem;
 use search::{Effort, Search};
 use structure::Candidate;
+use verify::verify_cancellable;
 
 /// The minimum-time maneuver for a request.
 ///
@@ -67,7 +71,7 @@ use structure::Candidate;
 /// a tenth of a millisecond for most requests.
 ///
 /// # Errors
-/// The input errors of [`Request::validate`], and [`SolveError::NotVerified`] where no maneuver passed the check.
+/// The input errors of [`Request::validate`], [`SolveError::TooLong`], and [`SolveError::NotVerified`] where no maneuver passed the check.
 pub fn solve(request: &Request) -> Result<Solution, SolveError> {
     solve_cancellable(request, &AtomicBool::new(false))
 }
@@ -117,7 +121,9 @@ pub fn solve_from(neighbour: &Extremal, request: &Request) -> Result<Solution, S
             let certificate = verify(&extremal);
             if certificate.verified {
                 let alternatives = heapless::Vec::new();
-                return Ok(Solution { extremal, certificate, alternatives, evaluations: newton.evaluations });
+                let evaluations = newton.evaluations;
+                let unsolved = heapless::Vec::new();
+                return Ok(Solution { extremal, certificate, alternatives, unsolved, evaluations });
             }
         }
     }
@@ -130,7 +136,7 @@ pub fn solve_from(neighbour: &Extremal, request: &Request) -> Result<Solution, S
 /// # Errors
 /// Those of [`solve_cancellable`].
 pub fn solve_thoroughly(request: &Request, cancel: &AtomicBool) -> Result<Solution, SolveError> {
-    solve_core(request, Effort::THOROUGH, &|| cancel.load(Ordering::Relaxed))
+    timed(|| solve_core(request, Effort::THOROUGH, &|| cancel.load(Ordering::Relaxed)))
 }
 
 /// [`solve`] without a clock.
@@ -140,43 +146,48 @@ fn solve_core(
     cancelled: &dyn Fn() -> bool,
 ) -> Result<Solution, SolveError> {
     request.validate()?;
-    let fixed = match request.turns {
+    let (reduced, shift) = request.reduced();
+    let fixed = match reduced.turns {
         Turns::Any => None,
         Turns::Exactly(k) => Some(k),
     };
-    let problem = Problem::new(request.from, request.to, &request.limits, 0);
-    let extremal_of = |candidate: &Candidate, turns: i32| {
-        Extremal::new(request.from, request.to, &request.limits, turns, candidate)
+    let rate = request.limits.rate_max_radps;
+    let problem = Problem::new(reduced.from, reduced.to, &request.limits, 0);
+    let verified = |candidate: &Candidate, turns: i32| {
+        let extremal = Extremal::new(reduced.from, reduced.to, &request.limits, turns, candidate);
+        verify_cancellable(&extremal, cancelled).is_some_and(|c| c.verified)
     };
-    let verified = |candidate: &Candidate, turns: i32| verify(&extremal_of(candidate, turns)).verified;
     let mut search = Search::new(problem, fixed, effort, &verified, cancelled);
+    let relaxed = search.lower_bound();
+    if relaxed.is_nan() || relaxed > LONGEST_RAD {
+        let lower_bound_s = if relaxed.is_nan() { f64::INFINITY } else { relaxed / rate };
+        return Err(SolveError::TooLong { lower_bound_s });
+    }
     let finished = search.run();
     let evaluations = search.newton.evaluations;
-    if !finished {
+    if !finished || cancelled() {
         return Err(SolveError::Cancelled { evaluations });
     }
-    let rate = request.limits.rate_max_radps;
     if let Some((best, others)) = search.found.split_first() {
-        let extremal = extremal_of(&best.candidate, best.turns);
+        let turns = best.turns + shift;
+        let extremal = Extremal::new(request.from, request.to, &request.limits, turns, &best.candidate);
         let certificate = verify(&extremal);
         let alternatives = others
             .iter()
             .take(MAX_ALTERNATIVES)
-            .map(|f| Alternative { turns: f.turns, duration_s: f.duration / rate })
+            .map(|f| Alternative { turns: f.turns + shift, duration_s: f.duration / rate })
             .collect();
         // Everything kept has passed; a mirror image of it passes too.
         if certificate.verified {
-            return Ok(Solution { extremal, certificate, alternatives, evaluations });
+            let unsolved = heapless::Vec::new();
+            return Ok(Solution { extremal, certificate, alternatives, unsolved, evaluations });
         }
     }
-    let feasible_s = search.refused.is_finite().then_some(search.refused / rate);
-    let turns = fixed.unwrap_or(0);
-    let wound = Problem::new(request.from, request.to, &request.limits, turns);
-    let relaxed_s = relax::relax(&wound).map_or(0.0, |r| r.lower_bound / rate);
-    let turning_s = if fixed.is_some() { wound.turn().abs() / rate } else { 0.0 };
+    let turning =
+        fixed.map_or(0.0, |k| Problem::new(reduced.from, reduced.to, &request.limits, k).turn().abs());
     Err(SolveError::NotVerified {
-        feasible_s,
-        lower_bound_s: relaxed_s.max(turning_s),
+        feasible_s: search.refused.is_finite().then_some(search.refused / rate),
+        lower_bound_s: relaxed.max(turning) / rate,
         evaluations,
         elapsed_s: 0.0,
     })

@@ -30,10 +30,10 @@ const SMALLEST_STEP: f64 = 1e-5;
 pub(crate) enum Dead {
     /// The first solve failed.
     NotBegun,
-    /// Newton or the repairs failed at every step length. T there.
-    Stuck { duration: f64 },
-    /// The evaluation budget is used up. T there.
-    Budget { duration: f64 },
+    /// Newton or the repairs failed at every step length. T that it was heading for, cautiously.
+    Stuck { heading_for: f64 },
+    /// The evaluation budget is used up.
+    Budget { heading_for: f64 },
     /// Its T exceeded that of a maneuver already found.
     Slower,
     /// The caller cancelled.
@@ -92,17 +92,19 @@ pub(crate) fn follow(
         if (bounds.cancelled)() {
             return Err(Dead::Cancelled);
         }
-        if spent(newton) > bounds.budget {
-            return Err(Dead::Budget { duration: candidate.duration(family.at(lambda).1) });
-        }
         let next = if lambda + step > 0.999 { 1.0 } else { lambda + step };
         let (problem, mu_next) = family.at(next);
         let (_, mu_now) = family.at(lambda);
         trial.clone_from(candidate);
         trial.shift(&newton.tangent, next - lambda);
         let now = candidate.duration(mu_now);
-        let predicted =
-            now + (next - lambda) * slope(candidate, &newton.tangent, mu_now, family.direction.mu);
+        let slope = slope(candidate, &newton.tangent, mu_now, family.direction.mu);
+        let predicted = now + (next - lambda) * slope;
+        // T grows ever more slowly, most so at the beginning: what a path that dies early says counts little.
+        let heading_for = now + lambda * (1.0 - lambda) * slope.max(0.0);
+        if spent(newton) > bounds.budget {
+            return Err(Dead::Budget { heading_for });
+        }
         let tangent = newton.tangent;
         let before = newton.evaluations;
         let plausible = |reached: f64| {
@@ -143,7 +145,7 @@ pub(crate) fn follow(
             newton.tangent = tangent;
             step = (next - lambda) * SHRINK;
             if step < SMALLEST_STEP * (1.0 - from) {
-                return Err(Dead::Stuck { duration: now });
+                return Err(Dead::Stuck { heading_for });
             }
         }
     }

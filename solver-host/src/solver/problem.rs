@@ -21,12 +21,8 @@ impl Problem {
     pub(crate) fn new(from: State<f64>, to: State<f64>, limits: &Limits<f64>, turns: i32) -> Self {
         let scale = limits.scale();
         let range = limits.dimensionless();
-        let mut start = scale.to_dimensionless(from);
-        let mut end = scale.to_dimensionless(to);
-        end.x -= start.x;
-        end.z -= start.z;
-        start.x = 0.0;
-        start.z = 0.0;
+        let start = scale.to_dimensionless(State { x: 0.0, z: 0.0, ..from });
+        let mut end = scale.to_dimensionless(State { x: to.x - from.x, z: to.z - from.z, ..to });
         end.theta += f64::from(turns) * core::f64::consts::TAU;
         Self { from: start.to_array(), to: end.to_array(), u_min: range.min, u_max: range.max }
     }
@@ -36,6 +32,21 @@ impl Problem {
         let [x0, vx0, z0, vz0, theta0] = self.from;
         let [x1, vx1, z1, vz1, theta1] = self.to;
         Self { from: [0.0, -vx1, 0.0, -vz1, theta1], to: [x0 - x1, -vx0, z0 - z1, -vz0, theta0], ..*self }
+    }
+
+    /// A sign that changes for the mirror image and not for the problem backwards.
+    pub(crate) fn orientation(&self) -> f64 {
+        let [x, vx0, vx1] = [self.to[0] - self.from[0], self.from[1], self.to[1]];
+        let first = [self.from[4] + self.to[4], vx1 - vx0, x].into_iter().find(|v| *v != 0.0);
+        if first.is_some_and(|v| v < 0.0) { -1.0 } else { 1.0 }
+    }
+
+    /// Whether it is the backward one of the pair that it makes with the problem backwards; the same for mirror images.
+    pub(crate) fn is_backward(&self) -> bool {
+        let (f, g) = (&self.from, &self.to);
+        let speed = |s: &[f64; 5]| s[1] * s[1] + s[3] * s[3];
+        let differences = [g[2] - f[2], f[3] + g[3], speed(g) - speed(f), libm::cos(g[4]) - libm::cos(f[4])];
+        differences.into_iter().find(|v| *v != 0.0).is_some_and(|v| v < 0.0)
     }
 
     /// The winding k' of the mirror image of a maneuver of winding k, as the sum k + k'. `None` where the problem is

@@ -153,7 +153,7 @@ fn chained_bound(problem: &Problem) -> f64 {
 }
 
 /// By the mean acceleration, and by covering the distance at full acceleration from the initial speed.
-fn elementary_bound(problem: &Problem) -> f64 {
+pub(crate) fn elementary_bound(problem: &Problem) -> f64 {
     let (f, g) = (&problem.from, &problem.to);
     let authority = problem.u_max + 1.0;
     let distance = libm::hypot(g[0] - f[0], g[2] - f[2]);

@@ -26,8 +26,20 @@ pub(crate) struct Start {
     extra_middle: i32,
 }
 
-/// Whole extra turns considered at the start, in the middle and at the end.
+impl Start {
+    /// Leads to the same iterate.
+    pub(crate) fn same(&self, other: &Self) -> bool {
+        self.turns == other.turns
+            && self.extra_middle == other.extra_middle
+            && self.first_turn == other.first_turn
+            && self.last_turn == other.last_turn
+    }
+}
+
+/// Whole extra turns considered in the middle and at the end.
 const EXTRA_TURNS: [i32; 5] = [0, -1, 1, -2, 2];
+/// Extra turns considered at the start, besides those that a winding asked for needs.
+const MOST_EXTRA: i32 = 2;
 /// Most total turn considered: |θ_T + 2πk − θ_0| ≤ 4π (and a rest for fixed windings beyond).
 pub(crate) const LARGEST_TURN: f64 = 2.0 * TAU + 1e-9;
 /// Samples a turn when reading off the thrust along a sweep.
@@ -70,23 +82,29 @@ pub(crate) fn starts(
     let norm = |time: f64| libm::hypot(costate.p2(time), costate.p4(time));
     let (norm_0, norm_t) = (norm(0.0), norm(t));
     let base = problem.turn();
+    // The winding without extra turns.
+    let nearest = libm::round((first + arc_turn + last - base) / TAU) as i32;
+    let extra = turns.map_or(0, |wanted| wanted - nearest);
     let mut list: Vec<Start, MAX_STARTS> = Vec::new();
     for extra_mid in EXTRA_TURNS {
         if extra_mid != 0 && !interior {
             continue;
         }
         let mid_cost = frame.middle(extra_mid).map_or(0.0, |m| m.cost);
-        for extra_first in EXTRA_TURNS {
+        for extra_first in extra.min(0) - MOST_EXTRA..=extra.max(0) + MOST_EXTRA {
             let first_turn = first + f64::from(extra_first) * TAU;
             let first_cost = norm_0 * frame.turn_cost(first_turn.abs());
-            for extra_last in EXTRA_TURNS {
-                let last_turn = last + f64::from(extra_last) * TAU;
+            // A winding that is asked for leaves no choice at the end.
+            let (own, all) = match turns {
+                Some(wanted) => ([wanted - nearest - extra_mid - extra_first], EXTRA_TURNS),
+                None => ([0], EXTRA_TURNS),
+            };
+            for extra_last in if turns.is_some() { &own[..] } else { &all[..] } {
+                let last_turn = last + f64::from(*extra_last) * TAU;
                 let total = first_turn + arc_turn + f64::from(extra_mid) * TAU + last_turn;
-                let k = libm::round((total - base) / TAU) as i32;
-                match turns {
-                    Some(wanted) if wanted != k => continue,
-                    None if total.abs() > LARGEST_TURN => continue,
-                    _ => {}
+                let k = nearest + extra_first + extra_mid + extra_last;
+                if turns.is_none() && total.abs() > LARGEST_TURN {
+                    continue;
                 }
                 let estimate = t + mid_cost + first_cost + norm_t * frame.turn_cost(last_turn.abs());
                 let position = list.iter().position(|s| estimate < s.estimate).unwrap_or(list.len());

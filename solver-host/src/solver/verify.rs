@@ -5,7 +5,9 @@
 //! Taylor coefficients follow from recurrences to any order, which is both faster and more accurate here than a
 //! Runge-Kutta rule. It restarts at every switch.
 
-use mintime_shared::model::{RateMode, Segment, ThrustLevel};
+use core::f64::consts::TAU;
+
+use mintime_shared::model::{RateMode, Segment, State, ThrustLevel};
 use serde::{Deserialize, Serialize};
 
 use super::extremal::Extremal;
@@ -13,7 +15,7 @@ use super::problem::Problem;
 use super::relax::{lower_bound_near, relax};
 
 /// What the independent check found. Dimensionless numbers are those of eq. (3)-(7), H = 0 with the constant 1.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// All of the below within tolerance.
     pub verified: bool,
@@ -55,20 +57,34 @@ const ORDER: usize = 14;
 const LONGEST_STEP: f64 = 0.5;
 /// Longest step on an arc, relative to the radius of convergence of eq. (15).
 const RADIUS_FRACTION: f64 = 0.125;
+/// Most steps in all: more than twice what the longest maneuver that is solved takes at the least.
+const MOST_STEPS: u32 = 50_000;
+/// Steps between two looks at whether it was cancelled: some tens of microseconds.
+const STEPS_UNASKED: u32 = 64;
 /// Points per step at which the laws are checked, its end included: one every twelfth of a radian at most.
 const GRID: usize = 6;
 
 /// Checks an extremal. Takes any [`Extremal`], from this solver or not; it does not fail, it reports.
+///
+/// The work is bounded: a maneuver of more than about 50,000 steps of half a radian is not verified.
 pub fn verify(extremal: &Extremal) -> Certificate {
+    // Nobody cancels, so there is one.
+    verify_cancellable(extremal, &|| false).unwrap_or_default()
+}
+
+/// [`verify()`], `None` soon after it is cancelled.
+pub(crate) fn verify_cancellable(extremal: &Extremal, cancelled: &dyn Fn() -> bool) -> Option<Certificate> {
     let limits = &extremal.limits;
     let (rate, gravity) = (limits.rate_max_radps, limits.gravity_mps2);
     let (length_m, velocity_mps) = (gravity / (rate * rate), gravity / rate);
+    // Only the displacement and the attitude matter: far from the origin or after many turns nothing is different.
+    let whole_turns = libm::round(extremal.from.theta / TAU) * TAU;
     let start = [
-        extremal.from.x / length_m,
+        0.0,
         extremal.from.vx / velocity_mps,
-        extremal.from.z / length_m,
+        0.0,
         extremal.from.vz / velocity_mps,
-        extremal.from.theta,
+        extremal.from.theta - whole_turns,
         extremal.phi_r0,
     ];
     let mut run = Integration {
@@ -79,6 +95,8 @@ pub fn verify(extremal: &Extremal) -> Certificate {
         control_law: 0.0,
         kelley: f64::INFINITY,
         singular_rate: 0.0,
+        steps: 0,
+        cancelled,
     };
     let mut shortest = f64::INFINITY;
     let mut finite = true;
@@ -91,10 +109,12 @@ pub fn verify(extremal: &Extremal) -> Certificate {
             ThrustLevel::Max => limits.thrust_max_mps2 / gravity,
         };
         if finite && duration > 0.0 {
-            run.segment(segment.inputs.rate, segment.inputs.thrust, u_t, duration);
+            run.segment(segment.inputs.rate, segment.inputs.thrust, u_t, duration)?;
         }
     }
-    let demanded = extremal.end();
+    let end = extremal.end();
+    let displaced = State { x: end.x - extremal.from.x, z: end.z - extremal.from.z, ..end };
+    let demanded = State { theta: displaced.theta - whole_turns, ..displaced };
     let reached = [
         run.y[0] * length_m,
         run.y[1] * velocity_mps,
@@ -130,7 +150,7 @@ pub fn verify(extremal: &Extremal) -> Certificate {
     let relaxed_s = lower_bound_near(&problem, run.c, t_s * rate)
         .or_else(|| relax(&problem).map(|r| r.lower_bound))
         .map_or(0.0, |bound| bound / rate);
-    Certificate {
+    Some(Certificate {
         verified,
         degenerate,
         final_state_error,
@@ -140,7 +160,7 @@ pub fn verify(extremal: &Extremal) -> Certificate {
         singular_rate_max: run.singular_rate,
         min_segment_s: shortest,
         lower_bound_s: relaxed_s.max(problem.turn().abs() / rate),
-    }
+    })
 }
 
 /// 1/(k + 1).
@@ -157,7 +177,7 @@ const INVERSES: Series = {
 type Series = [f64; ORDER + 1];
 
 /// State of the integration, (x, ẋ, z, ż, θ, Φ_R), and the worst values seen.
-struct Integration {
+struct Integration<'a> {
     c: [f64; 4],
     t: f64,
     y: [f64; 6],
@@ -165,10 +185,13 @@ struct Integration {
     control_law: f64,
     kelley: f64,
     singular_rate: f64,
+    steps: u32,
+    cancelled: &'a dyn Fn() -> bool,
 }
 
-impl Integration {
-    fn segment(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, duration: f64) {
+impl Integration<'_> {
+    /// `None` where it was cancelled.
+    fn segment(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64, duration: f64) -> Option<()> {
         let end = self.t + duration;
         let mut left = duration;
         self.watch_entry(mode, level, u_t);
@@ -179,11 +202,15 @@ impl Integration {
             };
             // Equal steps over what is left, so that no tiny last one remains.
             let h = left / libm::ceil(left / longest).max(1.0);
-            if !h.is_finite() || h <= 0.0 || longest < 1e-6 {
-                // p runs through zero: not an arc of any extremal.
+            if !h.is_finite() || h <= 0.0 || longest < 1e-6 || self.steps >= MOST_STEPS {
+                // p runs through zero: not an arc of any extremal. Or it takes too long to tell.
                 self.singular_rate = f64::INFINITY;
-                return;
+                return Some(());
             }
+            if self.steps % STEPS_UNASKED == STEPS_UNASKED - 1 && (self.cancelled)() {
+                return None;
+            }
+            self.steps += 1;
             self.step(mode, level, u_t, h);
             left -= h;
             if left < 1e-12 * duration {
@@ -191,6 +218,7 @@ impl Integration {
             }
         }
         self.t = end;
+        Some(())
     }
 
     /// Radius of convergence of eq. (15) about the present time: the distance to its complex poles.
@@ -267,7 +295,7 @@ impl Integration {
     }
 }
 
-impl Integration {
+impl Integration<'_> {
     /// Checks the laws where a segment begins: right after a switch with the new inputs.
     fn watch_entry(&mut self, mode: RateMode, level: ThrustLevel, u_t: f64) {
         let [c1, c2, c3, c4] = self.c;
