@@ -112,7 +112,7 @@ pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String
     if let Some(e) = &flown.emulated {
         let ([a, b], [c, d]) = (e.latency_us, e.jitter_us);
         lines.push(format!(
-            "emulated   gyro to motors {a:.1} to {b:.1} µs, jitter {c:.1} to {d:.1} µs, {:.0} instructions a tick, load {:.1} %",
+            "emulated   gyro to motors {a:.1} to {b:.1} µs, jitter {c:.2} to {d:.2} µs, {:.0} instructions a tick, load {:.1} %",
             e.board.tick_instructions,
             100.0 * e.board.load,
         ));
