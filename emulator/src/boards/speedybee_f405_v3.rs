@@ -37,11 +37,11 @@ pub struct SpeedyBeeF405V3 {
     pub escs: [DshotEsc; 4],
     /// The battery.
     pub battery: Battery,
-    /// Voltage of the current sensor [V].
+    /// Voltage of the current sensor (V).
     pub current_sensor_v: f64,
     /// From data ready to the end of the motor frames.
     pub latency: Latency,
-    /// Frequency of the crystal [Hz].
+    /// Frequency of the crystal (Hz).
     pub crystal_hz: u32,
     led_driven_low: bool,
     ready_level: Option<bool>,
@@ -55,14 +55,14 @@ pub struct MotorSignal {
     pub armed: bool,
     /// 0..=1; none while not armed.
     pub throttle: Option<f64>,
-    /// End of the last bit of the last valid frame [ns].
+    /// End of the last bit of the last valid frame (ns).
     pub last_bit_ns: Option<u64>,
 }
 
 /// A valid frame came for a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorUpdate {
-    /// End of its last bit [ns].
+    /// End of its last bit (ns).
     pub ns: u64,
     /// 0..=3 for motors 1..4.
     pub motor: usize,
@@ -185,13 +185,13 @@ impl Board for SpeedyBeeF405V3 {
 
 /// The board's side of a closed loop. Times are nanoseconds since power-up.
 impl Chip<SpeedyBeeF405V3> {
-    /// Motion at `ns` (now or ahead, never before a sample already given) in axes of the sensor: rates [rad/s] and
-    /// specific force [m/s²]. The data-ready edge comes at that very time.
+    /// Motion at `ns` (now or ahead, never before a sample already given) in axes of the sensor: rates (rad/s) and
+    /// specific force (m/s²). The data-ready edge comes at that very time.
     pub fn imu_sample(&mut self, memory: &mut Memory, ns: u64, rates_radps: [f64; 3], accel_mps2: [f64; 3]) {
         self.with_board(memory, |board, _| board.gyro.sample(ns, rates_radps, accel_mps2));
     }
 
-    /// Voltage of the battery [V].
+    /// Voltage of the battery (V).
     pub fn set_battery_v(&mut self, memory: &mut Memory, volts: f64) {
         self.with_board(memory, |board, _| board.battery.volts = volts);
     }

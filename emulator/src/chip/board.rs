@@ -7,9 +7,9 @@ use super::pin::Pin;
 pub struct Pulse {
     /// When the line went high [ns since power-up].
     pub start_ns: u64,
-    /// How long it stayed high [ns].
+    /// How long it stayed high (ns).
     pub high_ns: f64,
-    /// Length of the timer's period [ns].
+    /// Length of the timer's period (ns).
     pub period_ns: f64,
     /// The period was cut short: the timer stopped, or the pin went elsewhere.
     pub cut: bool,
@@ -22,7 +22,7 @@ pub struct SpiWord {
     pub value: u16,
     /// 8 or 16.
     pub bits: u8,
-    /// Clock rate [Hz].
+    /// Clock rate (Hz).
     pub clock_hz: u32,
     /// The mode, 0..=3: CPOL in bit 1, CPHA in bit 0.
     pub mode: u8,
@@ -41,7 +41,7 @@ pub struct Effects {
 
 /// What surrounds the chip. Times are nanoseconds since power-up and never go back.
 pub trait Board {
-    /// Frequency of the crystal [Hz], if there is one.
+    /// Frequency of the crystal (Hz), if there is one.
     fn crystal_hz(&self) -> Option<u32>;
     /// The chip drives `pin` as a plain output, or (`None`) no longer does.
     fn output(&mut self, ns: u64, pin: Pin, level: Option<bool>, effects: &mut Effects);
@@ -50,7 +50,7 @@ pub trait Board {
     /// SPI `bus` (1..=3) has clocked a word; the answer is what the selected device sent meanwhile. All ones where
     /// nothing drives the line.
     fn spi(&mut self, ns: u64, bus: u8, word: SpiWord, effects: &mut Effects) -> u16;
-    /// Voltage on an analog input [V].
+    /// Voltage on an analog input (V).
     fn analog_v(&mut self, ns: u64, pin: Pin) -> f64;
     /// When something happens next on the board; `u64::MAX` for never. Called after every other call.
     fn next_event_ns(&self) -> u64;
@@ -61,7 +61,7 @@ pub trait Board {
 /// A bare chip with nothing but a crystal.
 #[derive(Clone, Debug)]
 pub struct BareBoard {
-    /// Frequency of the crystal [Hz].
+    /// Frequency of the crystal (Hz).
     pub crystal_hz: Option<u32>,
 }
 

@@ -2,15 +2,15 @@
 
 use crate::bus::Cycle;
 
-/// Frequency of the internal oscillator, which runs the chip after a reset [Hz].
+/// Frequency of the internal oscillator, which runs the chip after a reset (Hz).
 pub const HSI_HZ: u32 = 16_000_000;
 
 /// One setting of the clocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rates {
-    /// SYSCLK [Hz].
+    /// SYSCLK (Hz).
     pub sysclk_hz: u32,
-    /// HCLK, the core clock [Hz].
+    /// HCLK, the core clock (Hz).
     pub hclk_hz: u32,
     /// HCLK cycles per cycle of PCLK1: a power of two.
     pub apb1_divider: u32,
@@ -65,7 +65,7 @@ impl Clock {
         self.anchor_cycle + (ns / NS_PER_S) * hclk + ((ns % NS_PER_S) * hclk).div_ceil(NS_PER_S)
     }
 
-    /// Length of `cycles` at the present rate [ns].
+    /// Length of `cycles` at the present rate (ns).
     pub fn span_ns(&self, cycles: u64) -> f64 {
         cycles as f64 * 1e9 / f64::from(self.rates.hclk_hz)
     }
@@ -84,7 +84,7 @@ impl Clock {
         }
     }
 
-    /// Frequency of a bus clock [Hz].
+    /// Frequency of a bus clock (Hz).
     pub fn apb_hz(&self, bus: Apb) -> u32 {
         self.rates.hclk_hz / self.apb_divider(bus)
     }

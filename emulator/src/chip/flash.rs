@@ -56,7 +56,7 @@ pub(crate) struct Flash {
 /// What the chip must do after a write.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Done {
-    /// The operation that began takes this long [ns].
+    /// The operation that began takes this long (ns).
     pub(crate) busy_ns: Option<u64>,
     /// A mistake.
     pub(crate) bug: Option<String>,

@@ -10,7 +10,7 @@ use super::{Board, Chip, Mode, SpiWord, or_never, rcc};
 use crate::bus::{Access, Cycle, Width};
 use crate::memory::Memory;
 
-/// Supply and reference of the converters [V].
+/// Supply and reference of the converters (V).
 const VREF_V: f64 = 3.3;
 /// Highest clock of the converters (DS8626, ADC characteristics).
 const ADC_LIMIT_HZ: u32 = 36_000_000;
@@ -63,7 +63,7 @@ impl<B: Board> Chip<B> {
         self.clock.apb_divider(super::clock::Apb::One)
     }
 
-    /// Length of a conversion [cycles].
+    /// Length of a conversion (cycles).
     pub(super) fn conversion_cycles(&self, n: u8) -> u64 {
         let divider = self.clock.apb_divider(super::clock::Apb::Two) * self.adc_prescaler();
         u64::from(self.adcs[usize::from(n)].conversion_cycles() * divider)

@@ -53,7 +53,7 @@ use clock::Clock;
 use events::Events;
 use map::{Place, place};
 
-/// Nominal frequency of the slow internal oscillator [Hz]; 17 to 47 kHz by the data sheet.
+/// Nominal frequency of the slow internal oscillator (Hz); 17 to 47 kHz by the data sheet.
 pub const LSI_NOMINAL_HZ: u32 = 32_000;
 
 /// The chip and the board around it.

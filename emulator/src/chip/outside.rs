@@ -49,7 +49,7 @@ impl<B: Board> Chip<B> {
         self.gpio[pin.port()].driven_level(pin.number())
     }
 
-    /// Speed of the host on serial port `port` (1..=6) [baud]; 921,600 at first.
+    /// Speed of the host on serial port `port` (1..=6) (baud); 921,600 at first.
     pub fn set_host_baud(&mut self, port: u8, baud: u32) {
         if let Some(line) = self.line(port) {
             line.baud = baud.max(1);
@@ -92,7 +92,7 @@ impl<B: Board> Chip<B> {
         self.serial.get(usize::from(port).wrapping_sub(1)).map_or(0, |line| line.breaks)
     }
 
-    /// Sets the slow internal oscillator, before the watchdog starts: 17 to 47 kHz by the data sheet [Hz].
+    /// Sets the slow internal oscillator, before the watchdog starts: 17 to 47 kHz by the data sheet (Hz).
     pub fn set_lsi_hz(&mut self, hz: u32) {
         self.iwdg.lsi_hz = hz.max(1);
     }

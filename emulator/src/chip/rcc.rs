@@ -3,7 +3,7 @@
 use super::clock::{HSI_HZ, Rates};
 use crate::bus::Cycle;
 
-/// Start-up times [ns] (DS8626, oscillator and PLL characteristics; typical, the PLL's the longest).
+/// Start-up times (ns) (DS8626, oscillator and PLL characteristics; typical, the PLL's the longest).
 const HSI_START_NS: u64 = 2_200;
 const HSE_START_NS: u64 = 2_000_000;
 const PLL_LOCK_NS: u64 = 200_000;

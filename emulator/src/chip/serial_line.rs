@@ -7,11 +7,11 @@ use super::usart::Frame;
 /// A byte that the firmware sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SerialByte {
-    /// When its stop bit ended [ns].
+    /// When its stop bit ended (ns).
     pub ns: u64,
     /// The byte.
     pub byte: u8,
-    /// The speed it was sent at [baud].
+    /// The speed it was sent at (baud).
     pub baud: u32,
 }
 
@@ -21,19 +21,19 @@ enum Symbol {
     Byte(u8),
     /// A byte with a bit disturbed: the receiver sees noise.
     Noisy(u8),
-    /// The line held low for this long [ns].
+    /// The line held low for this long (ns).
     Break(u64),
-    /// The line left alone for this long [ns].
+    /// The line left alone for this long (ns).
     Pause(u64),
 }
 
 /// The host's end of one line.
 #[derive(Clone, Debug)]
 pub(crate) struct SerialLine {
-    /// Speed of the host [baud].
+    /// Speed of the host (baud).
     pub(crate) baud: u32,
     queue: VecDeque<Symbol>,
-    /// When the first symbol of the queue starts [ns].
+    /// When the first symbol of the queue starts (ns).
     start_ns: u64,
     /// What the firmware sent and nobody has taken yet.
     pub(crate) sent: VecDeque<SerialByte>,
@@ -50,7 +50,7 @@ impl SerialLine {
         Self { baud: 921_600, queue: VecDeque::new(), start_ns: 0, sent: VecDeque::new(), breaks: 0 }
     }
 
-    /// Bits take this long at the host's speed [ns].
+    /// Bits take this long at the host's speed (ns).
     fn bit_ns(&self) -> f64 {
         1e9 / f64::from(self.baud.max(1))
     }

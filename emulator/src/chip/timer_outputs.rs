@@ -14,7 +14,7 @@ pub(crate) struct Period {
     pub(crate) end: Cycle,
     /// It was cut short.
     pub(crate) cut: bool,
-    /// Per channel: when after the start its line rose, and for how long it was high [cycles].
+    /// Per channel: when after the start its line rose, and for how long it was high (cycles).
     pub(crate) high: [(u64, u64); 4],
 }
 

@@ -5,15 +5,15 @@ use crate::bus::{Cycle, NEVER};
 /// The independent watchdog: it counts on its own oscillator and nothing but a reset stops it.
 #[derive(Clone, Debug)]
 pub(crate) struct Iwdg {
-    /// Frequency of its oscillator [Hz]; 32 kHz nominal, 17 to 47 kHz by the data sheet.
+    /// Frequency of its oscillator (Hz); 32 kHz nominal, 17 to 47 kHz by the data sheet.
     pub(crate) lsi_hz: u32,
     prescaler: u32,
     reload: u32,
     open: bool,
     started: bool,
-    /// Register values on their way into the counter's clock domain, and when they arrive [ns].
+    /// Register values on their way into the counter's clock domain, and when they arrive (ns).
     pending: Option<(u32, u32, u64)>,
-    /// When the counter reaches zero [ns].
+    /// When the counter reaches zero (ns).
     due_ns: u64,
     last_reload: (u64, u32),
 }
@@ -35,7 +35,7 @@ impl Iwdg {
         }
     }
 
-    /// When the watchdog bites unless it is petted [ns].
+    /// When the watchdog bites unless it is petted (ns).
     pub(crate) fn due_ns(&self) -> u64 {
         self.due_ns
     }

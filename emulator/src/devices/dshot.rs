@@ -22,7 +22,7 @@ const BITS: u32 = 16;
 /// One entry of the log of commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CommandEntry {
-    /// End of its last bit [ns].
+    /// End of its last bit (ns).
     pub ns: u64,
     /// 1..=47.
     pub command: u16,
@@ -33,9 +33,9 @@ pub struct CommandEntry {
 /// A frame that has just ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameEnd {
-    /// Start of its first bit [ns].
+    /// Start of its first bit (ns).
     pub start_ns: u64,
-    /// End of its last bit [ns].
+    /// End of its last bit (ns).
     pub end_ns: u64,
     /// Value, if the checksum was right.
     pub value: Option<u16>,
@@ -44,9 +44,9 @@ pub struct FrameEnd {
 /// The controller of one motor.
 #[derive(Clone, Debug)]
 pub struct DshotEsc {
-    /// How long it must see stop commands before it arms [ns].
+    /// How long it must see stop commands before it arms (ns).
     pub arming_ns: u64,
-    /// How long it waits for a frame before it stops and disarms [ns].
+    /// How long it waits for a frame before it stops and disarms (ns).
     pub timeout_ns: u64,
     /// Valid frames.
     pub frames: u64,
@@ -112,7 +112,7 @@ impl DshotEsc {
         self.armed(ns).then(|| throttle_of(self.value))
     }
 
-    /// End of the last bit of the last valid frame [ns].
+    /// End of the last bit of the last valid frame (ns).
     pub fn last_frame_ns(&self) -> Option<u64> {
         self.last_frame_ns
     }

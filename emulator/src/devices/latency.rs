@@ -3,7 +3,7 @@
 /// Times from a data-ready edge to the end of the last bit of the motor frames that follow it.
 #[derive(Clone, Debug, Default)]
 pub struct Latency {
-    /// The edge that waits for frames, and when each motor's came [ns].
+    /// The edge that waits for frames, and when each motor's came (ns).
     open: Option<(u64, [Option<u64>; 4])>,
     samples_ns: Vec<u32>,
     missed: u32,
@@ -19,17 +19,17 @@ pub struct LatencySummary {
     pub count: usize,
     /// Edges that another edge overtook.
     pub missed: u32,
-    /// Shortest [ns].
+    /// Shortest (ns).
     pub min_ns: u32,
-    /// Half are shorter [ns].
+    /// Half are shorter (ns).
     pub median_ns: u32,
-    /// 99.9 % are shorter [ns].
+    /// 99.9 % are shorter (ns).
     pub p999_ns: u32,
-    /// Longest [ns].
+    /// Longest (ns).
     pub max_ns: u32,
-    /// 99.9 % lie closer to the median than this [ns].
+    /// 99.9 % lie closer to the median than this (ns).
     pub jitter_p999_ns: u32,
-    /// Farthest from the median [ns].
+    /// Farthest from the median (ns).
     pub jitter_max_ns: u32,
 }
 
@@ -64,7 +64,7 @@ impl Latency {
         self.samples_ns.clear();
     }
 
-    /// Every latency so far, in order of time [ns].
+    /// Every latency so far, in order of time (ns).
     pub fn samples_ns(&self) -> &[u32] {
         &self.samples_ns
     }

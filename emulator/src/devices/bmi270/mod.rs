@@ -12,17 +12,17 @@ use std::collections::VecDeque;
 use crate::chip::SpiWord;
 use registers as reg;
 
-/// Time that an access needs after a write in advanced power save [ns] (data sheet section 7.4).
+/// Time that an access needs after a write in advanced power save (ns) (data sheet section 7.4).
 const POWER_SAVE_DELAY_NS: u64 = 450_000;
-/// Time between two writes in normal mode [ns].
+/// Time between two writes in normal mode (ns).
 const WRITE_DELAY_NS: u64 = 2_000;
-/// From INIT_CTRL = 1 to INTERNAL_STATUS = 1 [ns] (data sheet section 4.4: at most 20 ms).
+/// From INIT_CTRL = 1 to INTERNAL_STATUS = 1 (ns) (data sheet section 4.4: at most 20 ms).
 const INIT_NS: u64 = 20_000_000;
-/// From power-up or a soft reset to the first access [ns].
+/// From power-up or a soft reset to the first access (ns).
 const START_UP_NS: u64 = 2_000_000;
 /// Bytes of a complete configuration.
 const CONFIG_BYTES: usize = 8192;
-/// Highest clock of the interface [Hz].
+/// Highest clock of the interface (Hz).
 const SPI_LIMIT_HZ: u32 = 10_000_000;
 
 /// What was loaded into the sensor.
@@ -64,7 +64,7 @@ pub struct Bmi270 {
     config: Box<[u8]>,
     config_bytes: usize,
     uploaded: Option<Upload>,
-    /// When the self-check after the upload is done, and whether it will pass [ns].
+    /// When the self-check after the upload is done, and whether it will pass (ns).
     init_due: Option<(u64, bool)>,
     /// Until when another access is too early, and why.
     quiet_until_ns: u64,
@@ -72,7 +72,7 @@ pub struct Bmi270 {
     told: u32,
     pending: VecDeque<samples::Physical>,
     sensors: samples::Sensors,
-    /// When the level of INT1 falls again by itself [ns].
+    /// When the level of INT1 falls again by itself (ns).
     int_falls_ns: u64,
     int_asserted: bool,
     started_ns: u64,
@@ -128,7 +128,7 @@ impl Bmi270 {
         self.registers[reg::INTERNAL_STATUS] & 0xF == 1
     }
 
-    /// Output rate of the gyro [Hz]: none while it is off.
+    /// Output rate of the gyro (Hz): none while it is off.
     pub fn gyro_rate_hz(&self) -> Option<f64> {
         (self.ready() && self.registers[reg::PWR_CTRL] & 2 != 0)
             .then(|| 25.0 / 64.0 * f64::from(1_u32 << (self.registers[reg::GYR_CONF] & 0xF)))
@@ -215,7 +215,7 @@ impl Bmi270 {
         (control & 8 != 0).then_some(self.int_asserted == active)
     }
 
-    /// When something happens next [ns].
+    /// When something happens next (ns).
     pub fn next_event_ns(&self) -> u64 {
         self.pending.front().map_or(u64::MAX, |sample| sample.ns).min(self.int_falls_ns)
     }

@@ -2,13 +2,13 @@
 
 use super::{Bmi270, TOLD_RATE, registers as reg};
 
-/// Standard gravity [m/s²].
+/// Standard gravity (m/s²).
 const STANDARD_GRAVITY: f64 = 9.806_65;
-/// From enabling the gyro to its first valid sample [ns] (data sheet table 3: 45 ms from suspend).
+/// From enabling the gyro to its first valid sample (ns) (data sheet table 3: 45 ms from suspend).
 const GYRO_START_NS: u64 = 45_000_000;
-/// The same for the accelerometer [ns].
+/// The same for the accelerometer (ns).
 const ACCEL_START_NS: u64 = 2_000_000;
-/// Length of a data-ready pulse that is not latched [ns].
+/// Length of a data-ready pulse that is not latched (ns).
 const PULSE_NS: u64 = 156_250;
 
 /// A physical sample on its way.
@@ -41,7 +41,7 @@ impl Sensors {
 }
 
 impl Bmi270 {
-    /// Motion at `ns`, in axes of the sensor: rates [rad/s] and specific force [m/s²]. Converted, with its data-ready
+    /// Motion at `ns`, in axes of the sensor: rates (rad/s) and specific force (m/s²). Converted, with its data-ready
     /// edge, at that time, which may lie ahead but not before a sample already given.
     pub fn sample(&mut self, ns: u64, rates_radps: [f64; 3], accel_mps2: [f64; 3]) {
         self.pending.push_back(Physical { ns, rates_radps, accel_mps2 });
