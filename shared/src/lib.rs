@@ -17,6 +17,9 @@ pub mod model;
 pub mod motion;
 pub mod real;
 pub mod replay;
+pub mod seal;
+pub mod settings;
 pub mod table;
+pub mod vehicle;
 
 pub use checksum::crc32;
