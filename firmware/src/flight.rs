@@ -335,9 +335,10 @@ impl<M: RecordMemory> FlightLogic<M> {
             FlightState::Disarmed | FlightState::Stopped | FlightState::Armed => None,
             FlightState::Flying => Some(self.host_setpoint.map_or(sink, |(setpoint, _)| setpoint)),
             FlightState::Maneuver => {
+                let plane = self.player.plane();
                 let command = self.player.command(now_us, &self.period);
                 Some(command.map_or(sink, |c| Setpoint {
-                    rates_radps: [0.0, c.rate_radps, 0.0],
+                    rates_radps: plane.turn(c.rate_radps),
                     thrust_mps2: c.thrust_mps2,
                 }))
             }
@@ -373,7 +374,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         (self.state() == FlightState::Maneuver).then(|| RecordedTick {
             interval_us: 0,
             gyro_radps: self.gyro.fresh_rates_radps(),
-            rate_radps: output.setpoint.rates_radps[1],
+            rate_radps: self.player.plane().axes(output.setpoint.rates_radps)[1],
             thrust_mps2: output.setpoint.thrust_mps2,
             throttle: output.throttle.unwrap_or_default(),
         })

@@ -491,7 +491,7 @@ pub struct RecordedTick {
     pub interval_us: u16,
     /// Gyro, bias removed, rad/s about forward, left, up; `None` where the sample was missing.
     pub gyro_radps: Option<[f32; 3]>,
-    /// Commanded pitch rate, rad/s.
+    /// Commanded rate of turn in the maneuver's plane, rad/s.
     pub rate_radps: f32,
     /// Commanded thrust per mass, m/s².
     pub thrust_mps2: f32,

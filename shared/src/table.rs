@@ -133,7 +133,8 @@ pub struct ManeuverTable {
     pub kind: Kind,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the maneuver's vertical plane in the world, rad. The host yaws the vehicle there before it triggers.
+    /// Heading of the maneuver's vertical plane in the body frame at the start, rad: 0 is forward, positive to the left.
+    /// The vehicle need not yaw there: [`crate::plane`].
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,
@@ -486,7 +487,7 @@ pub struct TableHeader {
     pub kind: Kind,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the plane, rad.
+    /// Heading of the plane in the body frame at the start, rad.
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,
