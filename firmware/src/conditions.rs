@@ -1,13 +1,13 @@
 //! What is true of the vehicle this tick: for the supervisor, for whoever wants to arm or trigger, for telemetry.
 
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Telemetry,
+    ArmingBlock, FlightState, IncidentCause, KillSwitch, Telemetry,
 };
 use mintime_shared::real::at_least;
 use mintime_shared::table::{LinkPolicy, ManeuverTable};
 
 use crate::config::{
-    ARMED_IDLE_US, ARMING_TILT_RAD, BATTERY_SAG_TICKS, GATE_RATE_RADPS, GATE_TILT_RAD, LATE_ABORT_US, LIFT_THRUST_MPS2,
+    ARMED_IDLE_US, ARMING_TILT_RAD, BATTERY_SAG_TICKS, GATE_RATE_RADPS, GATE_TILT_RAD, LATE_ABORT_US, LIFT_THRUST_MPS2, LOST_SAMPLES_ABORT,
     RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS, SETPOINT_FRESH_US,
 };
 use crate::flight::{Clock, FlightLogic};
@@ -40,7 +40,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         found.set(C::OVER, over);
         let blind = self.interval_us >= LATE_ABORT_US;
         found.set(C::LATE_TICKS, maneuver && (blind || self.player.is_too_late()));
-        found.set(C::LOST_SAMPLES, maneuver && self.player.has_lost_samples(self.gyro.missing_total()));
+        let lost = self.gyro.missing_total().saturating_sub(self.missing_before);
+        found.set(C::LOST_SAMPLES, maneuver && lost >= LOST_SAMPLES_ABORT);
         found.set(C::OFF_PLAN, maneuver && self.player.is_off_plan(self.rate.angle_error_rad()));
         found.set(C::SATURATED, maneuver && self.saturated_ticks >= SATURATED_TICKS);
         found.set(C::BATTERY_SAG, self.sag_ticks >= BATTERY_SAG_TICKS);
@@ -129,6 +130,17 @@ impl<M: RecordMemory> FlightLogic<M> {
         let calm = self.gyro.rates_radps().iter().all(|rate| rate.abs() <= GATE_RATE_RADPS);
         let planned = libm::fabsf(table.start.theta);
         calm && self.tilt_rad().is_some_and(|tilt| libm::fabsf(tilt - planned) <= GATE_TILT_RAD)
+    }
+
+    /// World-up in body axes; all zeros while unknown.
+    pub(crate) fn up_body(&self) -> [f32; 3] {
+        self.accel_mps2.unwrap_or_default().map(|a| a / 9.81)
+    }
+
+    /// Tilt, rad; `None` while unknown.
+    pub(crate) fn tilt_rad(&self) -> Option<f32> {
+        let [x, y, z] = self.accel_mps2?;
+        Some(libm::atan2f(libm::sqrtf(x * x + y * y), z))
     }
 
     /// How the vehicle is.

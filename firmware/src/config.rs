@@ -111,10 +111,10 @@ pub const BIAS_MAX_RADPS: f32 = 0.1;
 pub const RUNAWAY_ERROR_RADPS: f32 = 8.0;
 /// ... when it lasts this many ticks (100 ms). A full reversal between bangs takes about half of that.
 pub const RUNAWAY_TICKS: u32 = 80;
-/// Pitch error, expected less flown, at which a maneuver is given up, rad. A reversal at full rate on a healthy vehicle
+/// Angle error in the maneuver's plane, expected less flown, at which a maneuver is given up, rad. A reversal at full rate on a healthy vehicle
 /// stays below 0.4. Below [`INTEGRAL_BOUND_RAD`], or it could never be reached.
 pub const ENVELOPE_PITCH_RAD: f32 = 0.8;
-/// Roll or yaw error at which a maneuver is given up, rad.
+/// Angle error out of the maneuver's plane, or in yaw, at which a maneuver is given up, rad.
 pub const ENVELOPE_LATERAL_RAD: f32 = 0.6;
 /// A tick later than this many periods is late.
 pub const LATE_PERIODS: f32 = 1.5;

@@ -16,7 +16,7 @@ use mintime_shared::messages::{
     AbortReason, BoardTelemetry, FlightState, Happening, Incident, IncidentCause, KillSwitch, Message, Purpose,
     RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
-use mintime_shared::real::{at_least, at_most};
+use mintime_shared::real::at_most;
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
@@ -114,6 +114,8 @@ pub struct FlightLogic<M> {
     /// The last voltage known, for thrust compensation.
     pub(crate) drive_v: Option<f32>,
     pub(crate) sag_ticks: u32,
+    /// Samples that were missing before the maneuver began.
+    pub(crate) missing_before: u32,
     pub(crate) kill: KillSwitch,
     // What it flies.
     pub(crate) tables: Tables,
@@ -190,6 +192,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             battery_v: None,
             drive_v: None,
             sag_ticks: 0,
+            missing_before: 0,
             kill: KillSwitch::Absent,
             tables: Tables::new(),
             player: Player::new(),
@@ -348,6 +351,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.rate.reset(self.gyro.rates_radps());
                 self.recording = false;
                 self.recorder.clear();
+                self.missing_before = self.gyro.missing_total();
                 self.player.start(now_us);
             }
             FlightState::Recovery => {
@@ -372,9 +376,10 @@ impl<M: RecordMemory> FlightLogic<M> {
         let setpoint = match self.state() {
             FlightState::Tracking => self.host_setpoint.map_or(Setpoint::default(), |(setpoint, _)| setpoint),
             FlightState::Maneuver => {
+                let plane = self.player.plane();
                 let command = self.player.command(now_us, &self.period);
                 command.map_or(Setpoint::default(), |c| Setpoint {
-                    rates_radps: [0.0, c.rate_radps, 0.0],
+                    rates_radps: plane.turn(c.rate_radps),
                     thrust_mps2: c.thrust_mps2,
                 })
             }
@@ -440,7 +445,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         (maneuver || (self.recording && self.state().airborne())).then(|| RecordedTick {
             interval_us: 0,
             gyro_radps: self.gyro.fresh_rates_radps(),
-            rate_radps: output.setpoint.rates_radps[1],
+            rate_radps: self.player.plane().axes(output.setpoint.rates_radps)[1],
             thrust_mps2: output.setpoint.thrust_mps2,
             throttle: output.throttle.unwrap_or_default(),
             flags: flag(self.clock == Clock::Late, record_flags::LATE)

@@ -1,7 +1,7 @@
 //! What the flight logic keeps, restores and calibrates: all of it with the motors off.
 
 use mintime_shared::messages::{
-    CalibrationError, FlightState, Happening, Incident, IncidentCause, Refusal, Reply, TableName,
+    FlightState, Happening, Incident, IncidentCause, Refusal, Reply, TableName,
 };
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
@@ -26,7 +26,6 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             Some(Kept::Settings(settings)) => {
                 self.settings = settings;
-                self.apply_settings();
             }
             Some(Kept::Pairing(key)) => self.pairing = Some(key),
             Some(Kept::Table(place, slot)) => {
@@ -121,11 +120,6 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
-    fn apply_settings(&mut self) {
-        self.gyro.set_scale(self.settings.gyro_scale);
-        self.rate.set_cutoff_hz(self.settings.gyro_cutoff_hz);
-    }
-
     /// Learns the gyro's bias anew; once per request.
     pub(crate) fn calibrate(&mut self, number: u16) -> Result<Reply, Refusal> {
         match self.state() {
@@ -142,48 +136,6 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Ok(Reply::Pending)
             }
             state => Err(Refusal::WrongState(state)),
-        }
-    }
-
-    /// Begins guided turns, says how far they are, keeps what they found.
-    pub(crate) fn calibrate_scale(
-        &mut self,
-        number: u16,
-        axis: u8,
-        turns: i8,
-        now_us: u64,
-    ) -> Result<Reply, Refusal> {
-        if turns == 0 {
-            self.scale_calibration.stop();
-            return Ok(Reply::Done);
-        }
-        if !matches!(self.state(), FlightState::Disarmed | FlightState::Calibrating) {
-            return Err(Refusal::WrongState(self.state()));
-        }
-        if self.turned_by != Some((number, axis, turns)) {
-            let calibrated = self.gyro.is_calibrated() && !self.gyro.is_moving();
-            if !calibrated {
-                return Err(Refusal::Calibration(CalibrationError::NotStill));
-            }
-            self.scale_calibration.start(axis, turns).map_err(Refusal::Calibration)?;
-            self.turned_by = Some((number, axis, turns));
-            self.turned = None;
-            return Ok(Reply::Pending);
-        }
-        match self.turned {
-            None => Ok(Reply::Pending),
-            Some(Err(error)) => Err(Refusal::Calibration(error)),
-            Some(Ok(factor)) => {
-                let mut settings = self.settings;
-                let slot = settings.gyro_scale.get_mut(usize::from(axis)).ok_or(Refusal::OutOfRange)?;
-                // Measured with the scale that is in force.
-                *slot = factor;
-                settings.check().map_err(|_| Refusal::Calibration(CalibrationError::Implausible))?;
-                if self.settings == settings {
-                    return Ok(Reply::Done);
-                }
-                self.keep(Key::Settings, keeping::value(&settings), now_us)
-            }
         }
     }
 }

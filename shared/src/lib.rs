@@ -15,6 +15,7 @@ pub mod messages;
 pub mod minimum_principle;
 pub mod model;
 pub mod motion;
+pub mod plane;
 pub mod real;
 pub mod replay;
 pub mod seal;

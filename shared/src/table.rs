@@ -146,8 +146,8 @@ pub struct ManeuverTable {
     pub link: LinkPolicy,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the maneuver's vertical plane in the body, rad: 0 is forward, positive towards left. The vehicle need not
-    /// yaw.
+    /// Heading of the maneuver's vertical plane in the body frame at the start, rad: 0 is forward, positive to the left.
+    /// The vehicle need not yaw there: [`crate::plane`].
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,
@@ -503,7 +503,7 @@ pub struct TableHeader {
     pub link: LinkPolicy,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the plane, rad.
+    /// Heading of the plane in the body frame at the start, rad.
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,
