@@ -49,6 +49,8 @@ pub struct Client {
     decoder: Decoder,
     received: Vec<u8>,
     number: u16,
+    /// Of the newest setpoint.
+    sequence: u16,
     pending: Option<Pending>,
     telemetry: Option<Telemetry>,
     line_errors: u32,
@@ -72,7 +74,8 @@ impl Client {
     /// [`ConnectionError`] of the line.
     pub fn stream(&mut self, line: &mut impl Connection, setpoint: Setpoint) -> Result<(), ConnectionError> {
         let number = self.next_number();
-        transmit(line, number, Request::Setpoint(setpoint))
+        self.sequence = self.sequence.wrapping_add(1);
+        transmit(line, number, Request::Setpoint { sequence: self.sequence, setpoint })
     }
 
     /// Sends a request; [`poll`](Self::poll) brings the answer. One request at a time: an earlier one still under way
@@ -114,6 +117,13 @@ impl Client {
                 Some(Ok(Downlink { message: Message::Reply { number, reply }, .. }))
                     if self.pending.as_ref().is_some_and(|p| p.number == number) =>
                 {
+                    if reply == Reply::Pending {
+                        // It is under way: ask again later, for as long as somebody says so.
+                        if let Some(pending) = &mut self.pending {
+                            (pending.sent_s, pending.tries) = (now_s, 1);
+                        }
+                        continue;
+                    }
                     answer = Some(reply);
                     self.pending = None;
                 }

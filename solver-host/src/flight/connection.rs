@@ -92,11 +92,14 @@ pub trait Connection {
 /// A vehicle's state in words for messages.
 pub(crate) fn describe(state: FlightState) -> &'static str {
     match state {
+        FlightState::Boot => "starting",
+        FlightState::Calibrating => "calibrating",
         FlightState::Disarmed => "disarmed",
         FlightState::Armed => "armed",
-        FlightState::Flying => "flying",
+        FlightState::Tracking => "flying",
         FlightState::Maneuver => "in a maneuver",
-        FlightState::LinkLost => "without link",
-        FlightState::Stopped => "stopped",
+        FlightState::Recovery => "coming down on its own",
+        FlightState::Landed => "down after a recovery",
+        FlightState::Terminated => "stopped",
     }
 }
