@@ -1,5 +1,7 @@
 //! Every number that describes the vehicle or sets a limit of the flight logic, with its unit and its reason.
 
+pub mod control;
+
 use mintime_shared::crc32;
 use mintime_shared::frames::MOTORS;
 use mintime_shared::messages::{BoardTelemetry, TELEMETRY_PERIOD_US};
@@ -34,6 +36,16 @@ pub struct VehicleConfig {
     pub plan_thrust_max_mps2: f32,
     /// Highest body rate that a table may plan with, rad/s. The gyro measures up to 34.9.
     pub plan_rate_max_radps: f32,
+    /// Share of the thrust that grows with the throttle itself, the rest with its square, 0 to 1: 0 for controllers of
+    /// speed, more for those of voltage. See [`crate::mixer::throttle_of_speed`].
+    pub thrust_linear_share: f32,
+    /// By how much the battery's voltage falls for each newton of collective thrust, V/N: for the time between two
+    /// measurements of it. 0 believes the last one.
+    pub sag_v_per_n: f32,
+    /// To which output line the motor at each place of the frame is wired: places as in [`MOTORS`], lines from 0.
+    pub outputs: [u8; MOTOR_COUNT],
+    /// Propellers turn the other way round than [`MOTORS`] says ("props out").
+    pub reversed: bool,
 }
 
 impl VehicleConfig {
@@ -53,11 +65,26 @@ impl VehicleConfig {
         battery_low_v: 14.0,
         plan_thrust_max_mps2: 30.0,
         plan_rate_max_radps: 15.0,
+        thrust_linear_share: 0.0,
+        sag_v_per_n: 0.0,
+        outputs: [0, 1, 2, 3],
+        reversed: false,
     };
 
     /// Whether a measured battery voltage can be one: beyond, the sense wire is off. False for NaN.
     pub fn is_plausible_battery(&self, volts: f32) -> bool {
         volts > 0.6 * self.battery_nominal_v && volts < 1.4 * self.battery_nominal_v
+    }
+
+    /// Whether every output line drives one motor, and the thrust map has an inverse. False for NaN.
+    pub fn is_sound(&self) -> bool {
+        let used = self
+            .outputs
+            .iter()
+            .fold(0_u32, |lines, line| lines | 1_u32.checked_shl(u32::from(*line)).unwrap_or(0));
+        used == (1 << MOTOR_COUNT) - 1
+            && (0.0..=1.0).contains(&self.thrust_linear_share)
+            && (0.0..=1.0).contains(&self.sag_v_per_n)
     }
 
     /// What a table may plan with, [`mintime_shared::table::PlanLimits`].
@@ -88,8 +115,13 @@ impl VehicleConfig {
             self.battery_low_v,
             self.plan_thrust_max_mps2,
             self.plan_rate_max_radps,
+            self.thrust_linear_share,
+            self.sag_v_per_n,
+            f32::from(u8::from(self.reversed)),
+            // Its bytes only: no arithmetic touches it.
+            f32::from_bits(u32::from_le_bytes(self.outputs)),
         ];
-        let mut bytes = [0; 14 * 4];
+        let mut bytes = [0; 18 * 4];
         for (slot, field) in bytes.chunks_exact_mut(4).zip(fields) {
             slot.copy_from_slice(&field.to_le_bytes());
         }

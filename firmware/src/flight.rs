@@ -23,9 +23,9 @@ use crate::config::{
     RUNAWAY_TICKS, SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
 };
 use crate::gyro::{Gyro, ImuSample};
-use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
+use crate::mixer::{Demand, RotorDrive, mix};
 use crate::player::Player;
-use crate::rate_control::RateController;
+use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
 use crate::requests::{Tables, Verdicts};
 use crate::supervisor::{Conditions, Supervisor};
@@ -353,18 +353,25 @@ impl<M: RecordMemory> FlightLogic<M> {
         let dt_s = at_most(interval_us as f32 * 1.0e-6, CONTROL_STEP_MAX_S);
         let Some(setpoint) = setpoint else {
             self.commanded = Setpoint::default();
-            self.rate.reset(self.gyro.rates_radps());
+            self.rate.rest(self.gyro.rates_radps());
             let off = self.drive.rest(&self.config, dt_s);
             // Idle is zero demand: the mixer's floor keeps the rotors turning.
             let idle = (self.state() == FlightState::Armed)
                 .then(|| self.drive.throttles(&self.config, off, self.drive_v, 0.0));
             return TickOutput { throttle: idle, setpoint: self.commanded };
         };
-        let acceleration =
-            self.rate.update(self.commanded.rates_radps, setpoint.rates_radps, self.gyro.rates_radps(), dt_s);
-        let demand = Demand { thrust_mps2: setpoint.thrust_mps2, acceleration_radps2: acceleration };
-        let thrusts = rotor_thrusts(&self.config, &demand);
-        let throttle = self.drive.throttles(&self.config, thrusts, self.drive_v, dt_s);
+        let thrust_mps2 = setpoint.thrust_mps2;
+        let input = RateInput {
+            asked: self.commanded.rates_radps,
+            next: setpoint.rates_radps,
+            measured: self.gyro.rates_radps(),
+            thrust_mps2,
+            dt_s,
+        };
+        let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
+        let mixed = mix(&self.config, &demand);
+        self.rate.limited(&mixed.saturation);
+        let throttle = self.drive.throttles(&self.config, mixed.thrusts_n, self.drive_v, dt_s);
         self.commanded = setpoint;
         TickOutput { throttle: Some(throttle), setpoint }
     }

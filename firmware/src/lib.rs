@@ -18,12 +18,15 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)
 )]
 
+pub mod attitude;
 pub mod bmi270;
+pub mod calibration;
 pub mod config;
 pub mod dshot;
 pub mod flight;
 pub mod gyro;
 pub mod link;
+pub mod low_pass;
 pub mod mixer;
 pub mod pacing;
 pub mod player;
