@@ -30,6 +30,7 @@ pub mod player;
 pub mod rate_control;
 pub mod recorder;
 mod requests;
+pub mod store;
 pub mod supervisor;
 pub mod vehicle;
 pub mod watch;
