@@ -28,6 +28,7 @@ pub mod mixer;
 pub mod pacing;
 pub mod player;
 pub mod rate_control;
+pub mod receiver;
 pub mod recorder;
 mod requests;
 pub mod store;

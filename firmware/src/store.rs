@@ -16,7 +16,10 @@
 //! Every call scans at most one sector: 16 KiB, 4096 words. A write takes up to 67 words of programming, a move 670 and an
 //! erase.
 
+mod order;
+
 use mintime_shared::crc32;
+pub use order::{Done, Order};
 
 /// Bytes of each of the two sectors.
 pub const SECTOR_BYTES: usize = 16 * 1024;

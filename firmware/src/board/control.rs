@@ -21,6 +21,7 @@ use mintime_firmware::dshot::Frame;
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::pacing::Pacer;
+use mintime_firmware::receiver::KillState;
 use mintime_firmware::watch::{RECEIVE_BYTES, Watch};
 use mintime_shared::messages::BoardTelemetry;
 use static_cell::StaticCell;
@@ -29,6 +30,7 @@ use super::dshot::Motors;
 use super::facts::{CONTROL_INTERRUPT, CORE_MHZ, MOTOR_ARMING_FRAMES};
 use super::imu::{self, Imu, Outcome};
 use super::link::{OUTBOX, Receiver};
+use super::receiver::RadioReceiver;
 use super::tick_source::{self, LateTimer};
 use super::vehicle::{self, BoardVehicle};
 use super::watchdog::{self, Party};
@@ -59,6 +61,7 @@ struct Control {
     imu: Option<Imu>,
     gyro_pending: bool,
     receiver: Receiver,
+    radio: RadioReceiver,
     motors: Motors,
     /// Whether the last frame was sent in full.
     motors_well: bool,
@@ -76,13 +79,14 @@ struct Control {
 
 /// Starts the control tick.
 #[allow(unsafe_code)]
-pub(super) fn start(receiver: Receiver, motors: Motors, late_timer: LateTimer) {
+pub(super) fn start(receiver: Receiver, radio: RadioReceiver, motors: Motors, late_timer: LateTimer) {
     let now_us = Instant::now().as_micros();
     let control = CONTROL.init_with(|| Control {
         vehicle: vehicle::take(),
         imu: None,
         gyro_pending: true,
         receiver,
+        radio,
         motors,
         motors_well: false,
         arming_frames: 0,
@@ -154,8 +158,9 @@ impl Control {
 
     fn tick(&mut self, now_us: u64, imu: Option<ImuSample>, edge: Option<u32>) {
         let battery_v = battery::voltage();
-        // This board has no kill switch.
-        let input = TickInput { now_us, imu, battery_v, kill: false };
+        // Of the tick before: decoding must not delay the motors. A receiver that was never heard is taken for none.
+        let kill = matches!(self.radio.switch().state(), KillState::Kill | KillState::Lost);
+        let input = TickInput { now_us, imu, battery_v, kill };
         let output = self.vehicle.tick(&input);
         let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
         self.motors.send(&frames, edge);
@@ -163,6 +168,7 @@ impl Control {
 
         // The motors have theirs; now everything that may take its time.
         self.count_arming_frames(output.throttle.is_some(), battery_v);
+        self.radio.update(now_us);
         self.take_gyro();
         let status = self.publish();
         self.watch.note(&input, &output, self.vehicle.state(), &status);

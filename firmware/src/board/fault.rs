@@ -34,13 +34,22 @@ pub(super) enum Kind {
     UnexpectedInterrupt = 4,
     /// A peripheral refused its set-up.
     SetUp = 5,
+    /// The chip's supply fell.
+    BrownOut = 6,
 }
 
 impl Kind {
     fn from_word(word: u32) -> Option<Self> {
-        [Self::Panic, Self::HardFault, Self::ClockLost, Self::UnexpectedInterrupt, Self::SetUp]
-            .into_iter()
-            .find(|kind| *kind as u32 == word)
+        [
+            Self::Panic,
+            Self::HardFault,
+            Self::ClockLost,
+            Self::UnexpectedInterrupt,
+            Self::SetUp,
+            Self::BrownOut,
+        ]
+        .into_iter()
+        .find(|kind| *kind as u32 == word)
     }
 }
 
@@ -150,6 +159,11 @@ fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
 /// Ends the run because a peripheral refused its set-up; `step` tells which.
 pub(super) fn set_up_failed(step: u32) -> ! {
     stop_with(Kind::SetUp, |record| record.line = step)
+}
+
+/// Ends the run because the chip's supply falls. From a handler of the highest priority: registers and the record only.
+pub(super) fn brown_out() -> ! {
+    stop_with(Kind::BrownOut, |_| {})
 }
 
 /// Takes the crash of the run before, once. Its count stays, so that repeated crashes are seen.

@@ -6,20 +6,26 @@ mod control;
 mod core_setup;
 mod critical;
 mod dshot;
+mod entropy;
 mod facts;
 mod fault;
+mod flash;
 mod idle;
 mod imu;
 mod link;
 mod motors;
+mod receiver;
 mod spi;
 mod stack;
+mod storage;
 mod supervision;
+mod supply;
 mod tick_source;
 mod vehicle;
 mod watchdog;
 
 use defmt_rtt as _;
+use mintime_firmware::receiver::KillSwitchConfig;
 
 /// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
 /// lines are no signal that anybody chose.
@@ -44,27 +50,37 @@ fn start() -> ! {
     core_setup::pause_watchdog_in_debug();
     core_setup::prepare_core();
     facts::set_priorities();
+    supply::watch();
 
+    let run = entropy::draw(cortex_m::peripheral::DWT::cycle_count());
     defmt::info!("mintime firmware {=str}, reset by {}", env!("CARGO_PKG_VERSION"), cause);
+    defmt::info!("run {=u64:016x}, random: {=bool}", run.bits, run.random);
     if let Some(crash) = crash {
         defmt::error!("the last run crashed: {}", crash);
     }
 
+    let store = storage::open();
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);
     let Ok((receiver, transmitter)) = link::open(parts.link) else { fault::set_up_failed(line!()) };
 
-    control::start(receiver, dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
+    let radio = receiver::RadioReceiver::new(parts.receiver, KillSwitchConfig::DEFAULT);
+    let motors = dshot::Motors::new(parts.motors);
+    control::start(receiver, radio, motors, tick_source::LateTimer::new(parts.late_timer));
     let crashed = crash.is_some();
     idle::run(|spawner| {
-        let (Ok(gyro), Ok(transmit), Ok(supervise)) =
-            (imu::set_up(parts.gyro), link::transmit(transmitter), supervision::run(battery, led, crashed))
-        else {
+        let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (
+            imu::set_up(parts.gyro),
+            link::transmit(transmitter),
+            supervision::run(battery, led, crashed),
+            storage::run(store),
+        ) else {
             fault::set_up_failed(line!())
         };
         spawner.spawn(gyro);
         spawner.spawn(transmit);
         spawner.spawn(supervise);
+        spawner.spawn(keep);
     })
 }

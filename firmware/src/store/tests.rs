@@ -173,7 +173,7 @@ fn survive(acts: &[Act], cut: u32, noise: u64) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
     fn each_key_has_its_old_or_its_new_value_after_a_power_cut(
