@@ -35,6 +35,7 @@ static WAKE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 
 /// Another order is under way; come again when [`take_done`] has answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(dead_code, reason = "the flight logic orders nothing yet")]
 pub(super) struct Occupied;
 
 /// Opens the store, for reading at start-up and then for [`run`]. Once.
@@ -48,6 +49,7 @@ pub(super) fn open() -> BoardStore {
 /// # Errors
 ///
 /// [`Occupied`].
+#[allow(dead_code, reason = "the flight logic orders nothing yet")]
 pub(super) fn submit(number: u32, order: Order) -> Result<(), Occupied> {
     if BUSY.load(Ordering::Acquire) {
         return Err(Occupied);
@@ -63,11 +65,13 @@ pub(super) fn submit(number: u32, order: Order) -> Result<(), Occupied> {
 }
 
 /// Whether an order is under way: nobody may arm. From the control tick.
+#[allow(dead_code, reason = "the flight logic orders nothing yet")]
 pub(super) fn busy() -> bool {
     BUSY.load(Ordering::Acquire)
 }
 
 /// What became of the last order, once. From the control tick.
+#[allow(dead_code, reason = "the flight logic orders nothing yet")]
 pub(super) fn take_done() -> Option<Done> {
     DONE.lock(Cell::take)
 }

@@ -47,8 +47,3 @@ pub(super) fn watch() {
 unsafe fn PVD() {
     fault::brown_out()
 }
-
-/// Whether the supply is below the detector's level.
-pub(super) fn is_low() -> bool {
-    PWR.csr1().read().pvdo()
-}
