@@ -23,6 +23,12 @@ fn listening() -> Rig<emulator::boards::SpeedyBeeF405V3> {
     rig
 }
 
+/// Lets time pass up to `ms` after power-up: frames begin every 4 ms.
+fn pass_to(rig: &mut Rig<emulator::boards::SpeedyBeeF405V3>, ms: u64) {
+    let ns = (ms * MS).saturating_sub(rig.ns());
+    rig.pass(ns);
+}
+
 #[test]
 fn frames_arrive_in_the_ring() {
     let mut rig = listening();
@@ -30,7 +36,7 @@ fn frames_arrive_in_the_ring() {
     receiver.channels[4] = CRSF_HIGH;
     rig.chip.set_receiver(&mut rig.memory, Some(receiver));
     // One frame at 4 ms: 26 bytes of 23.8 µs.
-    rig.pass(6 * MS);
+    pass_to(&mut rig, 6);
     assert_eq!(rig.stream_left(DMA1, 5), RING_BYTES - 26);
     let bytes = rig.get(RING, 26);
     assert_eq!(bytes[..3], [0xC8, 24, 0x16]);
@@ -39,7 +45,7 @@ fn frames_arrive_in_the_ring() {
     assert_eq!((word >> 4 & 0x7FF) as u16, CRSF_HIGH);
     assert_eq!(rig.read(USART2) & 0xE, 0, "no noise, no overrun, no bad stop bit");
     // Ten frames and one of link statistics (14 bytes): round the ring.
-    rig.pass(36 * MS);
+    pass_to(&mut rig, 42);
     assert_eq!(rig.stream_left(DMA1, 5), 2 * RING_BYTES - 10 * 26 - 14);
     rig.assert_no_bugs();
 }
@@ -47,18 +53,19 @@ fn frames_arrive_in_the_ring() {
 #[test]
 fn a_silent_receiver_sends_nothing_and_a_broken_one_flips_a_bit() {
     let mut rig = listening();
-    let broken = CrsfReceiver { defect: CrsfDefect::Silent, ..CrsfReceiver::new() };
+    let mut broken = CrsfReceiver::new();
+    broken.defect = CrsfDefect::Silent;
     rig.chip.set_receiver(&mut rig.memory, Some(broken));
-    rig.pass(50 * MS);
+    pass_to(&mut rig, 50);
     assert_eq!(rig.stream_left(DMA1, 5), RING_BYTES);
     let board = rig.chip.board_mut();
     board.receiver.as_mut().expect("plugged in").defect = CrsfDefect::FlippedBit;
-    rig.pass(4 * MS);
+    pass_to(&mut rig, 54);
     assert_eq!(rig.stream_left(DMA1, 5), RING_BYTES - 26);
     let whole = {
         let mut rig = listening();
         rig.chip.set_receiver(&mut rig.memory, Some(CrsfReceiver::new()));
-        rig.pass(6 * MS);
+        pass_to(&mut rig, 6);
         rig.get(RING, 26).to_vec()
     };
     let flipped: u32 = rig.get(RING, 26).iter().zip(&whole).map(|(a, b)| (a ^ b).count_ones()).sum();

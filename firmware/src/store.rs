@@ -261,7 +261,7 @@ impl<F: Flash> Store<F> {
             return Err(StoreError::TooLong);
         }
         let header = RecordHeader { code: key.code(), length: value.len(), removed: false };
-        self.put(key, Record::new(header, value), Some(value))
+        self.put(key, &Record::new(header, value), Some(value))
     }
 
     /// Takes the value of `key` away, with the same safety.
@@ -270,7 +270,7 @@ impl<F: Flash> Store<F> {
     /// [`StoreError::Flash`], [`StoreError::WornOut`].
     pub fn remove(&mut self, key: Key) -> Result<(), StoreError> {
         let header = RecordHeader { code: key.code(), length: 0, removed: true };
-        self.put(key, Record::new(header, &[]), None)
+        self.put(key, &Record::new(header, &[]), None)
     }
 
     /// Takes all values away. Where this ends early each key has its value or none.
@@ -364,22 +364,22 @@ impl<F: Flash> Store<F> {
     }
 
     /// Appends `record`, in the live sector or, where it does not fit, after a move.
-    fn put(&mut self, key: Key, record: Record, value: Option<&[u8]>) -> Result<(), StoreError> {
+    fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
         let Some((live, generation)) = self.live()? else {
             if value.is_none() {
                 return Ok(());
             }
-            return self.begin(Sector::First, 1, None, key, &record);
+            return self.begin(Sector::First, 1, None, key, record);
         };
         let current = self.latest(live, key)?;
         if current.as_ref().map(Record::value) == value {
             return Ok(());
         }
         let end = self.scan(live, key)?.end;
-        if self.append(live, end, &record)?.is_some() {
+        if self.append(live, end, record)?.is_some() {
             return Ok(());
         }
-        self.begin(live.other(), generation.saturating_add(1), Some(live), key, &record)
+        self.begin(live.other(), generation.saturating_add(1), Some(live), key, record)
     }
 
     /// Programs `record` and reads it again: where the next one goes, or none if there is no room or it does not hold.

@@ -42,6 +42,8 @@ struct Report {
     moves: AtomicU32,
 }
 
+// By its name, the test finds it.
+#[allow(unsafe_code)]
 #[unsafe(no_mangle)]
 static REPORT: Report = Report {
     stage: AtomicU32::new(0),

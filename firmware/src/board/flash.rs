@@ -12,7 +12,7 @@ use core::ptr;
 use cortex_m::peripheral::DWT;
 use embassy_stm32::pac::flash::regs::Sr;
 use embassy_stm32::pac::flash::vals::Psize;
-use embassy_stm32::pac::{FLASH, TIM5};
+use embassy_stm32::pac::{FLASH, RCC, TIM5};
 use mintime_firmware::store::{Flash, FlashFault, SECTOR_BYTES, Sector};
 
 /// The keys that unlock the control register (RM0090 section 3.6.1).
@@ -80,7 +80,7 @@ impl Flash for StoreFlash {
         };
         unlocked(|| {
             cortex_m::interrupt::free(|_| {
-                let running = TIM5.cr1().read().cen();
+                let running = RCC.apb1enr().read().tim5en() && TIM5.cr1().read().cen();
                 if running {
                     TIM5.cr1().modify(|w| w.set_cen(false));
                 }

@@ -6,6 +6,7 @@ use super::{Flash, Key, Store, StoreError, VALUE_BYTES};
 
 /// A change of the store.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::large_enum_variant, reason = "there is no allocation, and one order at a time")]
 pub enum Order {
     /// A new value.
     Write(Key, Vec<u8, VALUE_BYTES>),
