@@ -59,7 +59,11 @@ fn start() -> ! {
         defmt::error!("the last run crashed: {}", crash);
     }
 
-    let store = storage::open();
+    let mut store = storage::open();
+    // What was kept. Whoever starts the vehicle from it takes it here, before the control tick runs.
+    storage::each(&mut store, |key, value| {
+        defmt::info!("kept: {}, {=usize} bytes", defmt::Debug2Format(&key), value.len());
+    });
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);

@@ -15,7 +15,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use embassy_sync::blocking_mutex::Mutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use mintime_firmware::store::{Done, FlashFault, Order, Store, StoreError};
+use mintime_firmware::store::{Done, FlashFault, Key, Order, Store, StoreError, VALUE_BYTES};
 
 use super::flash::StoreFlash;
 use super::{fault, watchdog};
@@ -41,6 +41,23 @@ pub(super) struct Occupied;
 /// Opens the store, for reading at start-up and then for [`run`]. Once.
 pub(super) fn open() -> BoardStore {
     Store::new(StoreFlash::new())
+}
+
+/// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 5 ms. What cannot
+/// be read is told and left out.
+pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8])) {
+    let mut value = [0; VALUE_BYTES];
+    for key in Key::ALL {
+        match store.read(key, &mut value) {
+            Ok(Some(length)) => take(key, value.get(..length).unwrap_or_default()),
+            Ok(None) => {}
+            Err(error) => defmt::error!(
+                "the store: {} cannot be read: {}",
+                defmt::Debug2Format(&key),
+                defmt::Debug2Format(&error)
+            ),
+        }
+    }
 }
 
 /// Hands over an order; its answer comes back under the same `number`. From the control tick, with the motors off: the
