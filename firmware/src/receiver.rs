@@ -74,8 +74,7 @@ pub struct KillSwitchConfig {
 
 impl KillSwitchConfig {
     /// AUX1, a switch of two positions.
-    pub const DEFAULT: Self =
-        Self { channel: 5, run_above_us: 1700, kill_below_us: 1300, frames_to_run: 3 };
+    pub const DEFAULT: Self = Self { channel: 5, run_above_us: 1700, kill_below_us: 1300, frames_to_run: 3 };
 
     /// Whether it can be used: a channel that exists, positions apart and within what a channel can say.
     pub const fn is_valid(&self) -> bool {
@@ -162,8 +161,7 @@ impl Parser {
         for _ in 0..FRAME_BYTES {
             let begin = self.bytes.first() == Some(&ADDRESS_FLIGHT_CONTROLLER);
             // Type and checksum at least, and no more than a frame may have.
-            let fits =
-                self.length < 2 || self.bytes.get(1).is_some_and(|n| (2..=62).contains(n));
+            let fits = self.length < 2 || self.bytes.get(1).is_some_and(|n| (2..=62).contains(n));
             if self.length == 0 || begin && fits {
                 return;
             }

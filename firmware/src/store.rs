@@ -17,9 +17,11 @@
 //! erase.
 
 mod order;
+mod record;
 
 use mintime_shared::crc32;
 pub use order::{Done, Order};
+use record::{Record, RecordHeader};
 
 /// Bytes of each of the two sectors.
 pub const SECTOR_BYTES: usize = 16 * 1024;
@@ -146,70 +148,6 @@ impl Key {
             Self::Table(n) if n < TABLES => 16 + n,
             Self::Table(_) => 16 + TABLES - 1,
         }
-    }
-}
-
-/// The word before a value: key, length, whether the key is removed, and a checksum of these, so that a length cut short is
-/// not believed.
-#[derive(Clone, Copy)]
-struct RecordHeader {
-    code: u8,
-    length: usize,
-    removed: bool,
-}
-
-impl RecordHeader {
-    const REMOVED: u32 = 1 << 17;
-    const CHECK_SHIFT: u32 = 18;
-
-    fn word(self) -> u32 {
-        let plain =
-            u32::from(self.code) | (self.length as u32) << 8 | if self.removed { Self::REMOVED } else { 0 };
-        plain | crc32(&plain.to_le_bytes()) << Self::CHECK_SHIFT
-    }
-
-    fn from_word(word: u32) -> Option<Self> {
-        let length = (word >> 8 & 0x1FF) as usize;
-        let header = Self { code: word as u8, length, removed: word & Self::REMOVED != 0 };
-        (length <= VALUE_BYTES && header.word() == word).then_some(header)
-    }
-
-    /// Bytes of the whole record.
-    fn record_bytes(self) -> usize {
-        WORD + self.length.next_multiple_of(WORD) + WORD
-    }
-}
-
-/// Header word and value, as its checksum sees them.
-struct Record {
-    bytes: [u8; WORD + VALUE_BYTES],
-    length: usize,
-}
-
-impl Record {
-    fn new(header: RecordHeader, value: &[u8]) -> Self {
-        let mut bytes = [0xFF; WORD + VALUE_BYTES];
-        let (head, body) = bytes.split_at_mut(WORD);
-        head.copy_from_slice(&header.word().to_le_bytes());
-        for (slot, byte) in body.iter_mut().zip(value) {
-            *slot = *byte;
-        }
-        Self { bytes, length: value.len().min(VALUE_BYTES) }
-    }
-
-    fn checksum(&self) -> u32 {
-        crc32(self.bytes.get(..WORD + self.length).unwrap_or_default())
-    }
-
-    fn value(&self) -> &[u8] {
-        self.bytes.get(WORD..WORD + self.length).unwrap_or_default()
-    }
-
-    /// In the order in which they are programmed.
-    fn words(&self) -> impl Iterator<Item = u32> + '_ {
-        let used = WORD + self.length.next_multiple_of(WORD);
-        let words = self.bytes.as_chunks::<WORD>().0.iter().take(used / WORD);
-        words.map(|word| u32::from_le_bytes(*word)).chain([self.checksum()])
     }
 }
 

@@ -92,7 +92,7 @@ fn start() -> ! {
         core.DCB.enable_trace();
         core.DWT.enable_cycle_counter();
     }
-    let mut store = Store::new(StoreFlash::new());
+    let mut store = Store::new(StoreFlash::new(|| true));
     let mut buffer = [0; 256];
     let mut next = 1;
     for (key, found) in REPORT.found.iter().enumerate() {
