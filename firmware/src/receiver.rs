@@ -14,7 +14,7 @@
 /// Without a frame of channels for this long the switch is lost, µs. Receivers send one every 2 to 20 ms and stop, or set
 /// the link quality to zero, when they lose their transmitter.
 pub const LOST_US: u64 = 250_000;
-/// Speed of the line [baud].
+/// Speed of the line (baud).
 pub const BAUD: u32 = 420_000;
 /// Bytes looked at in one call at most; a line at [`BAUD`] brings 53 in 1.25 ms.
 pub const BYTES_PER_CALL: usize = 128;

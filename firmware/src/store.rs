@@ -301,6 +301,12 @@ impl<F: Flash> Store<F> {
         }
     }
 
+    /// Whether `key` has this value. Apart, as [`Self::begin`] is, so that no two records lie on the stack of a write.
+    #[inline(never)]
+    fn holds(&mut self, sector: Sector, key: Key, value: Option<&[u8]>) -> Result<bool, StoreError> {
+        Ok(self.latest(sector, key)?.as_ref().map(Record::value) == value)
+    }
+
     /// Appends `record`, in the live sector or, where it does not fit, after a move.
     fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
         let Some((live, generation)) = self.live()? else {
@@ -309,8 +315,7 @@ impl<F: Flash> Store<F> {
             }
             return self.begin(Sector::First, 1, None, key, record);
         };
-        let current = self.latest(live, key)?;
-        if current.as_ref().map(Record::value) == value {
+        if self.holds(live, key, value)? {
             return Ok(());
         }
         let end = self.scan(live, key)?.end;
@@ -343,6 +348,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// Makes `sector` live: erases it, takes over what is alive in `from`, adds `record` for `key`, and writes the header.
+    #[inline(never)]
     fn begin(
         &mut self,
         sector: Sector,

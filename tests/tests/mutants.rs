@@ -302,7 +302,7 @@ fn an_access_too_early_for_the_gyro_is_a_bug() {
     bench.assert_bug("BMI270: an access comes within 450 µs of leaving advanced power save");
 }
 
-/// The firmware erases nothing yet; whoever lets it must empty the data cache behind it.
+/// Whoever erases must empty the data cache behind it, as the store does.
 #[test]
 fn a_stale_cache_after_an_erase_is_a_bug() {
     let old = 0x1234_5678_u32;

@@ -5,12 +5,12 @@
 #![no_main]
 #![deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
-#[path = "../../firmware/src/board/critical.rs"]
+#[path = "../src/board/critical.rs"]
 mod critical;
-#[path = "../../firmware/src/board/flash.rs"]
+#[path = "../src/board/flash.rs"]
 mod flash;
 #[allow(dead_code)]
-#[path = "../../firmware/src/board/watchdog.rs"]
+#[path = "../src/board/watchdog.rs"]
 mod watchdog;
 
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
