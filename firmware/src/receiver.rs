@@ -130,6 +130,7 @@ impl Parser {
     }
 
     /// Takes a byte, and answers the frame that it completes. Shifts at most [`FRAME_BYTES`] bytes.
+    #[inline(never)]
     pub fn push(&mut self, byte: u8) -> Option<Frame> {
         if let Some(slot) = self.bytes.get_mut(self.length) {
             *slot = byte;
@@ -212,6 +213,7 @@ fn unpack(payload: &[u8]) -> [u16; CHANNELS] {
 }
 
 /// CRC-8 with the polynomial 0xD5, as DVB-S2 has it.
+#[inline(never)]
 pub fn crc8(bytes: &[u8]) -> u8 {
     bytes.iter().fold(0, |crc, byte| {
         (0..8).fold(crc ^ byte, |crc, _| if crc & 0x80 != 0 { crc << 1 ^ 0xD5 } else { crc << 1 })
@@ -249,6 +251,7 @@ impl KillSwitch {
 
     /// Takes what the receiver sent since the last call, at most [`BYTES_PER_CALL`] bytes of it, and answers what the pilot
     /// wants at `now_us`. Call it every tick, with or without bytes: silence is an answer too.
+    #[inline(never)]
     pub fn update(&mut self, now_us: u64, bytes: &[u8]) -> KillState {
         // More than a line can bring in a tick is what piled up while nothing ran: the oldest of it is worth the least.
         let recent = bytes.get(bytes.len().saturating_sub(BYTES_PER_CALL)..).unwrap_or_default();

@@ -108,6 +108,21 @@ pub enum StoreError {
     WornOut,
 }
 
+impl StoreError {
+    /// In words.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Flash(FlashFault::Place) => "outside the store",
+            Self::Flash(FlashFault::Locked) => "flash stays locked",
+            Self::Flash(FlashFault::Busy) => "flash stays busy",
+            Self::Flash(FlashFault::Refused(_)) => "flash raised an error flag",
+            Self::TooLong => "too long",
+            Self::Buffer(_) => "longer than it may be",
+            Self::WornOut => "flash is worn out",
+        }
+    }
+}
+
 impl From<FlashFault> for StoreError {
     fn from(fault: FlashFault) -> Self {
         Self::Flash(fault)
@@ -141,7 +156,7 @@ impl Key {
     ];
 
     /// Its number in flash, which never changes its meaning.
-    const fn code(self) -> u8 {
+    pub const fn code(self) -> u8 {
         match self {
             Self::Vehicle => 1,
             Self::Settings => 2,
@@ -180,6 +195,7 @@ impl<F: Flash> Store<F> {
     ///
     /// # Errors
     /// [`StoreError::Buffer`], [`StoreError::Flash`].
+    #[inline(never)]
     pub fn read(&mut self, key: Key, into: &mut [u8]) -> Result<Option<usize>, StoreError> {
         let Some((sector, _)) = self.live()? else { return Ok(None) };
         let Some(record) = self.latest(sector, key)? else { return Ok(None) };
@@ -226,6 +242,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The sector that counts, and its generation.
+    #[inline(never)]
     fn live(&mut self) -> Result<Option<(Sector, u32)>, StoreError> {
         let mut live: Option<(Sector, u32)> = None;
         for sector in Sector::BOTH {
@@ -254,6 +271,7 @@ impl<F: Flash> Store<F> {
 
     /// Walks through the records. One whose value is damaged is passed over; behind one whose length cannot be believed
     /// nothing is read and nothing more is written.
+    #[inline(never)]
     fn scan(&mut self, sector: Sector, key: Key) -> Result<Scan, StoreError> {
         let mut found = Scan { latest: None, end: HEADER_BYTES };
         // A record takes two words at least.
@@ -279,6 +297,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The record at `offset`, if it is whole.
+    #[inline(never)]
     fn record(
         &mut self,
         sector: Sector,
@@ -294,6 +313,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The latest record of a key, unless it says that the key is removed.
+    #[inline(never)]
     fn latest(&mut self, sector: Sector, key: Key) -> Result<Option<Record>, StoreError> {
         match self.scan(sector, key)?.latest {
             Some((offset, header)) if !header.removed => self.record(sector, offset, header),
@@ -308,6 +328,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// Appends `record`, in the live sector or, where it does not fit, after a move.
+    #[inline(never)]
     fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
         let Some((live, generation)) = self.live()? else {
             if value.is_none() {
@@ -326,6 +347,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// Programs `record` and reads it again: where the next one goes, or none if there is no room or it does not hold.
+    #[inline(never)]
     fn append(
         &mut self,
         sector: Sector,

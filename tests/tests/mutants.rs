@@ -53,7 +53,7 @@ const MUTANTS: [Mutant; 10] = [
         name: "wrong-stream",
         file: "src/board/facts.rs",
         from: "MOTOR_DMA_STREAM: usize = 6;",
-        to: "MOTOR_DMA_STREAM: usize = 5;",
+        to: "MOTOR_DMA_STREAM: usize = 4;",
     },
     Mutant {
         name: "unclocked-port",
@@ -250,7 +250,7 @@ fn a_reload_value_off_by_one_is_a_wrong_rate() {
 fn a_wrong_stream_moves_no_motor() {
     let mut bench = mutant("wrong-stream");
     bench.pass_ms(300);
-    bench.assert_bug("no peripheral asks on DMA1 stream 5 channel 2");
+    bench.assert_bug("no peripheral asks on DMA1 stream 4 channel 2");
     let log = bench.log();
     assert!(log.crashes().contains(&"UnexpectedInterrupt"), "{:?}", log.0);
     assert!(!bench.ever_turned());

@@ -40,6 +40,7 @@ impl StoreFlash {
     }
 
     /// Runs an operation with interrupts off, in a quiet moment if one comes soon.
+    #[inline(never)]
     fn when_quiet(&self, operation: impl Fn() -> Result<(), FlashFault>) -> Result<(), FlashFault> {
         let begin = DWT::cycle_count();
         loop {
@@ -53,6 +54,7 @@ impl StoreFlash {
 }
 
 impl Flash for StoreFlash {
+    #[inline(never)]
     fn read(&mut self, sector: Sector, offset: usize, into: &mut [u8]) -> Result<(), FlashFault> {
         let from = place(sector, offset, into.len())? as *const u8;
         for (n, byte) in into.iter_mut().enumerate() {

@@ -62,7 +62,7 @@ fn start() -> ! {
     let mut store = storage::open();
     // What was kept. Whoever starts the vehicle from it takes it here, before the control tick runs.
     storage::each(&mut store, |key, value| {
-        defmt::info!("kept: {}, {=usize} bytes", defmt::Debug2Format(&key), value.len());
+        defmt::info!("kept: key {=u8}, {=usize} bytes", key.code(), value.len());
     });
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);

@@ -55,17 +55,14 @@ fn quiet() -> bool {
 
 /// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 5 ms. What cannot
 /// be read is told and left out.
+#[inline(never)]
 pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8])) {
     let mut value = [0; VALUE_BYTES];
     for key in Key::ALL {
         match store.read(key, &mut value) {
             Ok(Some(length)) => take(key, value.get(..length).unwrap_or_default()),
             Ok(None) => {}
-            Err(error) => defmt::error!(
-                "the store: {} cannot be read: {}",
-                defmt::Debug2Format(&key),
-                defmt::Debug2Format(&error)
-            ),
+            Err(error) => defmt::error!("kept: key {=u8} cannot be read: {=str}", key.code(), error.text()),
         }
     }
 }
@@ -112,7 +109,7 @@ pub(super) async fn run(mut store: BoardStore) {
         let Some((number, order)) = order else { continue };
         let result = with_time(|| order.carry_out(&mut store));
         if let Err(error) = result {
-            defmt::warn!("the store: order {=u32} failed: {}", number, defmt::Debug2Format(&error));
+            defmt::warn!("the store: order {=u32} failed: {=str}", number, error.text());
         }
         DONE.lock(|done| done.set(Some(Done { number, result })));
         BUSY.store(false, Ordering::Release);
