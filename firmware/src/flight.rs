@@ -367,6 +367,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             measured: self.gyro.rates_radps(),
             thrust_mps2,
             dt_s,
+            follow_angle: self.state() == FlightState::Maneuver,
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
         let mixed = mix(&self.config, &demand);

@@ -242,7 +242,14 @@ fn any_attitude_is_levelled_within_a_second() {
             last_ns = now;
             estimate.update(sample.rates_radps, sample.specific_force_mps2, dt_s, Motion::Maneuver);
             let (next, thrust_mps2) = (estimate.level_rates(), estimate.descent_thrust_mps2());
-            let input = RateInput { asked, next, measured: sample.rates_radps, thrust_mps2, dt_s };
+            let input = RateInput {
+                asked,
+                next,
+                measured: sample.rates_radps,
+                thrust_mps2,
+                dt_s,
+                ..RateInput::default()
+            };
             let demand = Demand { thrust_mps2, acceleration_radps2: rate.update(&config, &input) };
             let mixed = mix(&config, &demand);
             rate.limited(&mixed.saturation);

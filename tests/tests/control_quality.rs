@@ -125,7 +125,14 @@ fn step_response(seed: u64, heading_rad: f32) -> StepResponse {
                 break;
             }
         }
-        let input = RateInput { asked, next, measured: sample.rates_radps, thrust_mps2: 9.81, dt_s };
+        let input = RateInput {
+            asked,
+            next,
+            measured: sample.rates_radps,
+            thrust_mps2: 9.81,
+            dt_s,
+            ..RateInput::default()
+        };
         let demand = Demand { thrust_mps2: 9.81, acceleration_radps2: rate.update(&config, &input) };
         let mixed = mix(&config, &demand);
         rate.limited(&mixed.saturation);

@@ -195,6 +195,7 @@ proptest! {
         for ([a, b, c, d, e, f, g, h, i], dt) in steps {
             let input = RateInput {
                 asked: [a, b, c], next: [d, e, f], measured: [g, h, i], thrust_mps2: a, dt_s: dt,
+                follow_angle: dt > a,
             };
             loop_.update(&VEHICLE, &input);
             prop_assert!(loop_.trim().iter().all(|t| t.abs() <= TRIM_BOUND), "{:?}", loop_.trim());

@@ -184,7 +184,13 @@ fn the_trim_is_learned_in_calm_flight_and_kept() {
         let mut rate = RateController::new();
         let mut spin = [0.0f32; 3];
         let mut asked = |rate: &mut RateController, thrust_mps2: f32| {
-            let input = RateInput { measured: spin, thrust_mps2, dt_s: TICK_S, ..RateInput::default() };
+            let input = RateInput {
+                measured: spin,
+                thrust_mps2,
+                dt_s: TICK_S,
+                follow_angle: true,
+                ..RateInput::default()
+            };
             let demand = rate.update(&REFERENCE, &input);
             let mut report = mix(&REFERENCE, &Demand::default()).saturation;
             report.axes = [limited; 3];
@@ -219,4 +225,42 @@ fn the_trim_is_learned_in_calm_flight_and_kept() {
     let (trim, worst) = learn(true);
     assert_eq!(trim, [0.0; 3]);
     assert!(worst[1] > 0.03, "without it the vehicle leaves its plan: {worst:?}");
+}
+
+/// An axis at its limit winds nothing up, unless its angle is owed to a plan; and it unwinds at any time.
+#[test]
+fn a_saturated_axis_winds_up_only_what_is_owed() {
+    let after = |follow_angle: bool| {
+        let mut rate = RateController::new();
+        let asked = [3.0, -3.0, 1.0];
+        for _ in 0..40 {
+            let input = RateInput {
+                asked,
+                next: asked,
+                dt_s: TICK_S,
+                thrust_mps2: 9.81,
+                follow_angle,
+                ..RateInput::default()
+            };
+            rate.update(&REFERENCE, &input);
+            let mut report = mix(&REFERENCE, &Demand::default()).saturation;
+            report.axes = [true, false, true];
+            rate.limited(&report);
+        }
+        let wound = rate.angle_error_rad();
+        // The other way round it unwinds, limit or not.
+        let input = RateInput {
+            measured: asked.map(|a| 3.0 * a),
+            dt_s: TICK_S,
+            follow_angle,
+            ..RateInput::default()
+        };
+        rate.update(&REFERENCE, &input);
+        assert!(rate.angle_error_rad()[1].abs() < wound[1].abs());
+        wound
+    };
+    let (free, owed) = (after(false), after(true));
+    // The first step is taken before anything is known of a limit.
+    assert!(free[0].abs() < 0.002 && free[2].abs() < 0.002, "{free:?}");
+    assert!(free[1] < -0.08 && owed[0] > 0.08 && owed[1] == free[1], "{free:?} {owed:?}");
 }
