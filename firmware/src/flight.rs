@@ -23,7 +23,7 @@ use crate::config::{
     RUNAWAY_TICKS, SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
 };
 use crate::gyro::{Gyro, ImuSample};
-use crate::mixer::{Demand, RotorDrive, mix};
+use crate::mixer::{Demand, RotorDrive, mix, to_outputs};
 use crate::player::Player;
 use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
@@ -53,7 +53,7 @@ pub struct TickInput {
 /// What the motors shall do until the next tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TickOutput {
-    /// Throttles of motors 1..4, 0..1; `None` switches them off.
+    /// Throttles of output lines 1..4, 0..1; `None` switches them off.
     pub throttle: Option<[f32; MOTOR_COUNT]>,
     /// The body rates and thrust that the throttles are meant to bring about.
     pub setpoint: Setpoint,
@@ -192,7 +192,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint);
         self.to_record = self.recorded(&output);
-        output
+        // Here alone places of the frame become output lines.
+        TickOutput { throttle: output.throttle.map(|t| to_outputs(&self.config, t)), ..output }
     }
 
     /// The part of a tick that the motors need not wait for: requests that do not bear on them, answers, the record.
