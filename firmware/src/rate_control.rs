@@ -28,6 +28,9 @@ use crate::config::{
 use crate::low_pass::LowPass;
 use crate::mixer::Saturation;
 
+/// Divided by the compiler: on the vehicle a division is as long as ten multiplications.
+const FEED_FORWARD_PER_S: f32 = FEED_FORWARD / RATE_RESPONSE_S;
+
 /// What a step of the loop works on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RateInput {
@@ -109,6 +112,8 @@ impl RateController {
         let blend = (dt_s / RATE_RESPONSE_S).clamp(0.0, 1.0);
         let filtered = self.filter.update(measured);
         let calm = thrust_mps2 >= TRIM_THRUST_MIN_MPS2 && next.iter().all(|r| r.abs() <= TRIM_CALM_RADPS);
+        // One division for three axes.
+        let learning = if calm { TRIM_GAIN_PER_S3 * dt_s / thrust_mps2 } else { 0.0 };
         let mut demand = gyroscopic(config, self.expected_radps);
         let memory = self
             .expected_radps
@@ -132,10 +137,10 @@ impl RateController {
                 *angle_error = error;
             }
             if calm && !limited {
-                let learned = *trim + TRIM_GAIN_PER_S3 * *angle_error * dt_s / thrust_mps2;
+                let learned = *trim + learning * *angle_error;
                 *trim = at_most(at_least(finite(learned), -TRIM_BOUND), TRIM_BOUND);
             }
-            let known = FEED_FORWARD * (next - *expected) / RATE_RESPONSE_S + *trim * thrust_mps2;
+            let known = FEED_FORWARD_PER_S * (next - *expected) + *trim * thrust_mps2;
             *slot += gain * (next - filtered) + integral * *angle_error + known;
         }
         demand
