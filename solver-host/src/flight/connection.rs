@@ -3,6 +3,9 @@
 use mintime_shared::messages::FlightState;
 use nalgebra::{UnitQuaternion, Vector3};
 
+use crate::motion_capture::CaptureError;
+use crate::port::PortError;
+
 /// A pose as motion capture delivers it. World frame as in [`mintime_shared::frames`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -60,12 +63,45 @@ pub enum ConnectionError {
     /// Motion capture repeats itself.
     #[error("motion capture repeats one pose: the cameras' server has stopped tracking, restart it")]
     FrozenPose,
+    /// Motion capture on a real vehicle failed.
+    #[error(transparent)]
+    Capture(#[from] CaptureError),
+    /// The port failed.
+    #[error(transparent)]
+    Port(#[from] PortError),
+    /// A person pressed a key.
+    #[error("stopped by a key")]
+    Stopped,
     /// The virtual board came to a halt.
     #[error("the virtual board has stopped: {0}")]
     Board(String),
     /// The serial line failed.
     #[error("the serial line failed: {0}")]
     Line(#[from] std::io::Error),
+}
+
+/// Bytes to a vehicle and back.
+pub trait Line {
+    /// Puts bytes on the line.
+    ///
+    /// # Errors
+    /// [`ConnectionError`].
+    fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError>;
+    /// Appends what has arrived since the last call.
+    ///
+    /// # Errors
+    /// [`ConnectionError`].
+    fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError>;
+}
+
+impl<C: Connection> Line for C {
+    fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError> {
+        Connection::send(self, bytes)
+    }
+
+    fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
+        Connection::receive(self, into)
+    }
 }
 
 /// A vehicle within reach. Time passes only in [`next_pose`](Self::next_pose).
@@ -92,11 +128,14 @@ pub trait Connection {
 /// A vehicle's state in words for messages.
 pub(crate) fn describe(state: FlightState) -> &'static str {
     match state {
+        FlightState::Boot => "starting",
+        FlightState::Calibrating => "calibrating",
         FlightState::Disarmed => "disarmed",
         FlightState::Armed => "armed",
-        FlightState::Flying => "flying",
+        FlightState::Tracking => "flying",
         FlightState::Maneuver => "in a maneuver",
-        FlightState::LinkLost => "without link",
-        FlightState::Stopped => "stopped",
+        FlightState::Recovery => "recovering by itself",
+        FlightState::Landed => "down after a recovery",
+        FlightState::Terminated => "terminated",
     }
 }
