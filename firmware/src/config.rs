@@ -1,101 +1,7 @@
 //! Every number that describes the vehicle or sets a limit of the flight logic, with its unit and its reason.
 
-use mintime_shared::crc32;
-use mintime_shared::frames::MOTORS;
-use mintime_shared::messages::{BoardTelemetry, TELEMETRY_PERIOD_US};
-use mintime_shared::model::GRAVITY_MPS2;
-use mintime_shared::table::PlanLimits;
-
-/// The vehicle as its flight controller knows it. Its [`hash`](VehicleConfig::hash) names it on the link.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VehicleConfig {
-    /// Mass with battery, kg.
-    pub mass_kg: f32,
-    /// Moments of inertia about forward, left, up, kg m².
-    pub inertia_kgm2: [f32; 3],
-    /// Rotors ahead of and behind the centre of mass by this, m.
-    pub arm_forward_m: f32,
-    /// Rotors left and right of the centre of mass by this, m.
-    pub arm_left_m: f32,
-    /// Reaction torque over thrust of a rotor, m.
-    pub torque_per_thrust_m: f32,
-    /// Thrust of one rotor at full throttle and nominal voltage, N.
-    pub rotor_thrust_max_n: f32,
-    /// Thrust of one rotor at idle, N: rotors never stop in flight.
-    pub rotor_thrust_idle_n: f32,
-    /// Time constant with which a rotor's speed follows its throttle, s.
-    pub rotor_lag_s: f32,
-    /// Battery voltage at which the thrust above was measured, V.
-    pub battery_nominal_v: f32,
-    /// Voltage below which arming and maneuvers are refused, V.
-    pub battery_low_v: f32,
-    /// Highest collective thrust per mass that a table may plan with, m/s². Below what the rotors give, so that torque
-    /// is left for attitude at full planned thrust.
-    pub plan_thrust_max_mps2: f32,
-    /// Highest body rate that a table may plan with, rad/s. The gyro measures up to 34.9.
-    pub plan_rate_max_radps: f32,
-}
-
-impl VehicleConfig {
-    /// The reference vehicle: the published parameters of the Agilicious quadrotor (Foehn et al., Science Robotics
-    /// 2022, doi 10.1126/scirobotics.abl6259), a 5-inch frame of the class that the reference flight controller is
-    /// made for, on a 4S battery.
-    pub const REFERENCE: Self = Self {
-        mass_kg: 0.752,
-        inertia_kgm2: [2.5e-3, 2.1e-3, 4.3e-3],
-        arm_forward_m: 0.075,
-        arm_left_m: 0.10,
-        torque_per_thrust_m: 0.022,
-        rotor_thrust_max_n: 8.5,
-        rotor_thrust_idle_n: 0.035,
-        rotor_lag_s: 0.033,
-        battery_nominal_v: 14.8,
-        battery_low_v: 14.0,
-        plan_thrust_max_mps2: 30.0,
-        plan_rate_max_radps: 15.0,
-    };
-
-    /// Whether a measured battery voltage can be one: beyond, the sense wire is off. False for NaN.
-    pub fn is_plausible_battery(&self, volts: f32) -> bool {
-        volts > 0.6 * self.battery_nominal_v && volts < 1.4 * self.battery_nominal_v
-    }
-
-    /// What a table may plan with, [`mintime_shared::table::PlanLimits`].
-    pub fn plan_limits(&self) -> PlanLimits {
-        PlanLimits {
-            thrust_min_mps2: self.rotor_thrust_idle_n * MOTOR_COUNT as f32 / self.mass_kg,
-            thrust_max_mps2: self.plan_thrust_max_mps2,
-            rate_max_radps: self.plan_rate_max_radps,
-            gravity_mps2: GRAVITY_MPS2 as f32,
-        }
-    }
-
-    /// Identifies this configuration: CRC-32 over all fields in order. Never zero, which means "any vehicle".
-    pub fn hash(&self) -> u32 {
-        let [jx, jy, jz] = self.inertia_kgm2;
-        let fields = [
-            self.mass_kg,
-            jx,
-            jy,
-            jz,
-            self.arm_forward_m,
-            self.arm_left_m,
-            self.torque_per_thrust_m,
-            self.rotor_thrust_max_n,
-            self.rotor_thrust_idle_n,
-            self.rotor_lag_s,
-            self.battery_nominal_v,
-            self.battery_low_v,
-            self.plan_thrust_max_mps2,
-            self.plan_rate_max_radps,
-        ];
-        let mut bytes = [0; 14 * 4];
-        for (slot, field) in bytes.chunks_exact_mut(4).zip(fields) {
-            slot.copy_from_slice(&field.to_le_bytes());
-        }
-        crc32(&bytes).max(1)
-    }
-}
+use mintime_shared::messages::BoardTelemetry;
+pub use mintime_shared::vehicle::{MOTOR_COUNT, VehicleConfig};
 
 /// What the board can do. What it cannot do blocks arming.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,10 +21,23 @@ pub struct BoardStatus {
     pub starting: bool,
     /// How it does, for telemetry.
     pub telemetry: BoardTelemetry,
+    /// How its store does.
+    pub store: StoreStatus,
 }
 
-/// Rotors on this vehicle.
-pub const MOTOR_COUNT: usize = MOTORS.len();
+/// How a board's store in flash does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StoreStatus {
+    /// There is one; without, what the vehicle is told lives until it is switched off.
+    pub present: bool,
+    /// It is at work: flash stalls, ticks will be missed.
+    pub busy: bool,
+    /// Ticket of the last job it finished, [`crate::keeping::Job::ticket`]; 0 before the first.
+    pub finished: u32,
+    /// Whether that job failed.
+    pub failed: bool,
+}
+
 /// Firmware version: major, minor, patch.
 pub const FIRMWARE_VERSION: [u8; 3] = [
     decimal(env!("CARGO_PKG_VERSION_MAJOR")),
@@ -141,10 +60,31 @@ const fn decimal(text: &str) -> u8 {
 
 /// A setpoint is fresh for this long, µs. Hosts stream at 100 Hz or more; this bridges nine lost ones.
 pub const SETPOINT_FRESH_US: u64 = 100_000;
-/// Motors stop when no setpoint came for this long, µs: what a person takes to see a falling vehicle and step back.
-pub const LINK_DEAD_US: u64 = 1_500_000;
-/// Collective thrust while the link is lost, as a part of gravity: sinks gently.
-pub const LINK_LOST_THRUST: f32 = 0.95;
+/// Specific force in a recovery, as a part of gravity: sinks at 1 m/s after a second, 2 m/s after two.
+pub const RECOVERY_FORCE: f32 = 0.9;
+/// How fast the thrust of a recovery is adjusted to the specific force measured, 1/s: ten times slower than the rotors.
+pub const RECOVERY_GAIN_PER_S: f32 = 3.0;
+/// Range of that adjustment: a thrust map may be a fifth off, and on the ground the thrust must go down visibly.
+pub const RECOVERY_RANGE: (f32, f32) = (0.5, 1.2);
+/// A recovering vehicle that keeps its specific force with this part of the thrust stands on something.
+pub const RECOVERY_STANDS: f32 = 0.6;
+/// Cosine of the tilt beyond which a recovery turns the vehicle upright first, 60 degrees.
+pub const RECOVERY_UPRIGHT_COS: f32 = 0.5;
+/// Thrust while it does, m/s²: enough for torque, too little to push it far.
+pub const RECOVERY_LOW_THRUST_MPS2: f32 = 3.0;
+/// The start gate on board: largest difference of the tilt from that of the table's start, rad. The host's gate is finer;
+/// this one keeps out a vehicle that is not where anybody thinks.
+pub const GATE_TILT_RAD: f32 = 0.12;
+/// Likewise, largest body rate, rad/s.
+pub const GATE_RATE_RADPS: f32 = 0.6;
+/// Largest tilt at which the motors may be started, rad (15 degrees): on level ground, with the accelerometer's own error.
+pub const ARMING_TILT_RAD: f32 = 0.26;
+/// Battery below its critical voltage for this many ticks (0.2 s) is no dip.
+pub const BATTERY_SAG_TICKS: u32 = 160;
+/// Rotors at their limit for this many ticks in a row (150 ms) in a maneuver: longer than any reversal.
+pub const SATURATED_TICKS: u32 = 120;
+/// Samples lost in one maneuver that end it.
+pub const LOST_SAMPLES_ABORT: u32 = 24;
 /// Armed and idle for longer than this disarms, µs.
 pub const ARMED_IDLE_US: u64 = 30_000_000;
 /// A setpoint above this thrust per mass takes off from the armed state, m/s².
@@ -171,10 +111,10 @@ pub const BIAS_MAX_RADPS: f32 = 0.1;
 pub const RUNAWAY_ERROR_RADPS: f32 = 8.0;
 /// ... when it lasts this many ticks (100 ms). A full reversal between bangs takes about half of that.
 pub const RUNAWAY_TICKS: u32 = 80;
-/// Pitch error, expected less flown, at which a maneuver is given up, rad. A reversal at full rate on a healthy vehicle
+/// Angle error in the maneuver's plane, expected less flown, at which a maneuver is given up, rad. A reversal at full rate on a healthy vehicle
 /// stays below 0.4. Below [`INTEGRAL_BOUND_RAD`], or it could never be reached.
 pub const ENVELOPE_PITCH_RAD: f32 = 0.8;
-/// Roll or yaw error at which a maneuver is given up, rad.
+/// Angle error out of the maneuver's plane, or in yaw, at which a maneuver is given up, rad.
 pub const ENVELOPE_LATERAL_RAD: f32 = 0.6;
 /// A tick later than this many periods is late.
 pub const LATE_PERIODS: f32 = 1.5;
@@ -208,8 +148,8 @@ pub const CONTROL_STEP_MAX_S: f32 = 2.5e-3;
 /// its answer's retries, shorter than a host at 800 messages a second takes to use up all 65536 numbers.
 pub const REPEATED_TRIGGER_US: u64 = 15_000_000;
 
-/// Interval of telemetry, µs.
-pub const TELEMETRY_US: u64 = TELEMETRY_PERIOD_US;
+/// Shortest and longest interval of telemetry that a host may ask for, ms.
+pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 1000);
 /// Requests that one tick takes.
 pub const INBOX: usize = 4;
 /// Messages waiting for the link. One tick adds at most [`INBOX`] answers and a telemetry.

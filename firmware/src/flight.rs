@@ -13,24 +13,28 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, FlightState, Message, RecordedTick, Setpoint, Telemetry, Uplink,
+    AbortReason, BoardTelemetry, FlightState, Happening, Incident, IncidentCause, KillSwitch, Message, Purpose,
+    RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
+use mintime_shared::real::at_most;
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
+use mintime_shared::seal::PairingKey;
+use mintime_shared::settings::Settings;
 
 use crate::config::{
-    ARMED_IDLE_US, BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_ABORT_US, LATE_US,
-    LIFT_THRUST_MPS2, LINK_DEAD_US, LINK_LOST_THRUST, MOTOR_COUNT, OUTBOX, RUNAWAY_ERROR_RADPS,
-    RUNAWAY_TICKS, SETPOINT_FRESH_US, TELEMETRY_US, VehicleConfig,
+    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus, VehicleConfig,
 };
+use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
+use crate::keeping::{Keeper, Slots};
 use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
 use crate::player::Player;
 use crate::rate_control::RateController;
 use crate::recorder::{RecordMemory, Recorder};
-use crate::requests::{Tables, Verdicts};
-use crate::supervisor::{Conditions, Supervisor};
-use mintime_shared::model::GRAVITY_MPS2;
-use mintime_shared::real::{at_least, at_most};
+use crate::recovery::Recovery;
+use crate::requests::Verdicts;
+use crate::supervisor::Supervisor;
+use crate::tables::Tables;
 
 /// Requests that arrived since the last tick.
 pub type Inbox = Deque<Uplink, INBOX>;
@@ -46,14 +50,14 @@ pub struct TickInput {
     pub imu: Option<ImuSample>,
     /// Battery voltage, V; `None` where unknown.
     pub battery_v: Option<f32>,
-    /// Whether the kill switch is on.
-    pub kill: bool,
+    /// What the kill switch says.
+    pub kill: KillSwitch,
 }
 
 /// What the motors shall do until the next tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TickOutput {
-    /// Throttles of motors 1..4, 0..1; `None` switches them off.
+    /// Throttles of outputs 1..4, 0..1, where 0 stands still; `None` switches all of them off.
     pub throttle: Option<[f32; MOTOR_COUNT]>,
     /// The body rates and thrust that the throttles are meant to bring about.
     pub setpoint: Setpoint,
@@ -61,87 +65,164 @@ pub struct TickOutput {
 
 /// What the clock says of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Clock {
+pub(crate) enum Clock {
     Punctual,
     Late,
     /// It came before the last one.
     Backwards,
 }
 
+/// One motor that turns while the others stand.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MotorTest {
+    pub(crate) motor: u8,
+    pub(crate) throttle: f32,
+    pub(crate) until_us: u64,
+}
+
 /// The whole on-board logic between sensors and motors.
 #[derive(Debug)]
 pub struct FlightLogic<M> {
+    // What it is.
     pub(crate) config: VehicleConfig,
+    /// The vehicle has been told what it is.
+    pub(crate) known: bool,
+    pub(crate) settings: Settings,
+    pub(crate) pairing: Option<PairingKey>,
+    pub(crate) session: u32,
+    pub(crate) slots: Slots,
+    pub(crate) keeper: Keeper,
+    // What its board says.
     pub(crate) capabilities: Capabilities,
-    pub(crate) supervisor: Supervisor,
-    pub(crate) tables: Tables,
-    pub(crate) recorder: Recorder<M>,
+    /// Drivers of the board are still at work on their set-up.
+    pub(crate) starting: bool,
+    pub(crate) store: StoreStatus,
+    pub(crate) board: Option<BoardTelemetry>,
     pub(crate) link_errors: u32,
-    gyro: Gyro,
-    pub(crate) player: Player,
-    rate: RateController,
-    drive: RotorDrive,
-    period: TickPeriod,
-    last_us: Option<u64>,
-    interval_us: u64,
-    state_since_us: u64,
-    /// The newest setpoint and when it came.
-    pub(crate) host_setpoint: Option<(Setpoint, u64)>,
-    /// What was commanded over the tick that just ended.
-    commanded: Setpoint,
-    /// Requests that the second part of the tick answers.
-    pub(crate) verdicts: Verdicts,
-    /// The tick that the second part records.
-    to_record: Option<RecordedTick>,
-    runaway_ticks: u32,
-    /// Number of the request that triggered the last maneuver since arming, and when.
-    pub(crate) last_trigger: Option<(u16, u64)>,
-    next_telemetry_us: u64,
-    ticks: u32,
-    late_ticks: u32,
-    worst_interval_us: u32,
+    // What it decides.
+    pub(crate) supervisor: Supervisor,
+    pub(crate) purpose: Purpose,
+    pub(crate) motor_test: Option<MotorTest>,
+    pub(crate) incident: Option<Incident>,
+    /// Number of the latest incident.
+    pub(crate) incidents: u16,
+    pub(crate) state_since_us: u64,
+    // What it senses.
+    pub(crate) gyro: Gyro,
+    pub(crate) accel_mps2: Option<[f32; 3]>,
     pub(crate) battery_v: Option<f32>,
     /// The last voltage known, for thrust compensation.
-    drive_v: Option<f32>,
-    kill: bool,
-    /// Drivers of the board are still at work on their set-up.
-    starting: bool,
-    board: Option<BoardTelemetry>,
+    pub(crate) drive_v: Option<f32>,
+    pub(crate) sag_ticks: u32,
+    /// Samples that were missing before the maneuver began.
+    pub(crate) missing_before: u32,
+    pub(crate) kill: KillSwitch,
+    // What it flies.
+    pub(crate) tables: Tables,
+    pub(crate) player: Player,
+    pub(crate) recovery: Recovery,
+    pub(crate) rate: RateController,
+    drive: RotorDrive,
+    /// What was commanded over the tick that just ended.
+    pub(crate) commanded: Setpoint,
+    pub(crate) saturated_ticks: u32,
+    pub(crate) runaway_ticks: u32,
+    // Who flies it.
+    /// When the host was last heard.
+    pub(crate) heard_us: Option<u64>,
+    /// The newest setpoint and when it came.
+    pub(crate) host_setpoint: Option<(Setpoint, u64)>,
+    /// Sequence number of the newest setpoint since arming.
+    pub(crate) last_sequence: Option<u16>,
+    pub(crate) setpoints_lost: u32,
+    /// Number of the request that triggered the last maneuver since arming, and when.
+    pub(crate) last_trigger: Option<(u16, u64)>,
+    /// Requests that the second part of the tick answers.
+    pub(crate) verdicts: Verdicts,
+    pub(crate) last_refusal: Option<(u16, Refusal)>,
+    pub(crate) calibrated_by: Option<u16>,
+    // When it is.
+    pub(crate) period: TickPeriod,
+    pub(crate) last_us: Option<u64>,
+    pub(crate) interval_us: u64,
+    pub(crate) clock: Clock,
+    pub(crate) ticks: u32,
+    pub(crate) late_ticks: u32,
+    pub(crate) worst_interval_us: u32,
+    // What it tells.
+    pub(crate) recorder: Recorder<M>,
+    /// Ticks are recorded outside a maneuver too.
+    pub(crate) recording: bool,
+    /// The tick that the second part records.
+    to_record: Option<RecordedTick>,
+    pub(crate) events: EventLog,
+    pub(crate) telemetry_us: u64,
+    pub(crate) next_telemetry_us: u64,
 }
 
 impl<M: RecordMemory> FlightLogic<M> {
-    /// A vehicle that was just switched on. `record` is the memory for flight records.
-    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
+    /// A vehicle that was just switched on. `config` is what it is, if it has been told; `record` is the memory for
+    /// flight records.
+    pub const fn new(config: Option<VehicleConfig>, capabilities: Capabilities, record: M) -> Self {
+        let (config, known) = match config {
+            Some(config) => (config, true),
+            None => (VehicleConfig::REFERENCE, false),
+        };
         Self {
             config,
+            known,
+            settings: Settings::DEFAULT,
+            pairing: None,
+            session: 0,
+            slots: [const { None }; mintime_shared::messages::STORED_TABLES],
+            keeper: Keeper::new(),
             capabilities,
-            supervisor: Supervisor::new(),
-            tables: Tables::new(),
-            recorder: Recorder::new(record),
+            starting: false,
+            store: StoreStatus { present: false, busy: false, finished: 0, failed: false },
+            board: None,
             link_errors: 0,
+            supervisor: Supervisor::new(),
+            purpose: Purpose::Flight,
+            motor_test: None,
+            incident: None,
+            incidents: 0,
+            state_since_us: 0,
             gyro: Gyro::new(),
+            accel_mps2: None,
+            battery_v: None,
+            drive_v: None,
+            sag_ticks: 0,
+            missing_before: 0,
+            kill: KillSwitch::Absent,
+            tables: Tables::new(),
             player: Player::new(),
+            recovery: Recovery::new(),
             rate: RateController::new(),
             drive: RotorDrive::new(),
+            commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
+            saturated_ticks: 0,
+            runaway_ticks: 0,
+            heard_us: None,
+            host_setpoint: None,
+            last_sequence: None,
+            setpoints_lost: 0,
+            last_trigger: None,
+            verdicts: Verdicts::new(),
+            last_refusal: None,
+            calibrated_by: None,
             period: TickPeriod::new(),
             last_us: None,
             interval_us: TICK_PERIOD_US as u64,
-            state_since_us: 0,
-            host_setpoint: None,
-            commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
-            verdicts: Verdicts::new(),
-            to_record: None,
-            runaway_ticks: 0,
-            last_trigger: None,
-            next_telemetry_us: 0,
+            clock: Clock::Punctual,
             ticks: 0,
             late_ticks: 0,
             worst_interval_us: 0,
-            battery_v: None,
-            drive_v: None,
-            kill: false,
-            starting: false,
-            board: None,
+            recorder: Recorder::new(record),
+            recording: false,
+            to_record: None,
+            events: EventLog::new(),
+            telemetry_us: TELEMETRY_PERIOD_US,
+            next_telemetry_us: 0,
         }
     }
 
@@ -155,11 +236,17 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.link_errors = count;
     }
 
+    /// Says what this start's session is called.
+    pub fn set_session(&mut self, session: u32) {
+        self.session = session;
+    }
+
     /// Says what the board can do by now and how it does.
     pub fn set_board_status(&mut self, status: &BoardStatus) {
         self.capabilities = status.capabilities;
         self.starting = status.starting;
         self.board = Some(status.telemetry);
+        self.note_store(status.store);
     }
 
     /// One tick: [`Self::command`] and [`Self::conclude`].
@@ -172,25 +259,21 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// The part of a tick that the motors wait for. [`Self::conclude`] is due before the next one and takes the requests
     /// out of the inbox.
     pub fn command(&mut self, input: &TickInput, inbox: &Inbox) -> TickOutput {
-        let clock = self.advance_clock(input.now_us);
+        self.clock = self.advance_clock(input.now_us);
         // Time stands still rather than runs backwards; the supervisor stops the motors for it.
         let now_us = self.last_us.unwrap_or(input.now_us);
-        self.battery_v = input.battery_v.filter(|v| self.config.is_plausible_battery(*v));
-        self.drive_v = self.battery_v.or(self.drive_v);
-        self.kill = input.kill;
-        let motors_off = !self.state().motors_on();
-        self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
+        self.sense(input);
 
-        let mut conditions = self.watch(now_us, clock);
+        let mut conditions = self.watch(now_us);
         self.take_orders(inbox, now_us, &mut conditions);
-        // A setpoint taken just now counts.
-        conditions |= self.setpoint_conditions(now_us);
+        // A setpoint taken just now counts, and any request says that the host is there.
+        conditions |= self.host_conditions(now_us);
         if let Some((old, reason)) = self.supervisor.step(conditions) {
             self.enter(old, reason, now_us);
         }
 
         let setpoint = self.choose_setpoint(now_us);
-        let output = self.control(setpoint);
+        let output = self.control(setpoint, now_us);
         self.to_record = self.recorded(&output);
         output
     }
@@ -203,6 +286,16 @@ impl<M: RecordMemory> FlightLogic<M> {
         if let Some(tick) = self.to_record.take() {
             self.recorder.push(now_us, tick);
         }
+    }
+
+    /// Takes in what the sensors say.
+    fn sense(&mut self, input: &TickInput) {
+        self.battery_v = input.battery_v.filter(|v| self.config.is_plausible_battery(*v));
+        self.drive_v = self.battery_v.or(self.drive_v);
+        self.kill = input.kill;
+        let motors_off = !self.state().motors_on();
+        self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
+        self.accel_mps2 = input.imu.map(|imu| imu.accel_mps2).filter(|a| a.iter().all(|v| v.is_finite()));
     }
 
     fn advance_clock(&mut self, now_us: u64) -> Clock {
@@ -225,139 +318,102 @@ impl<M: RecordMemory> FlightLogic<M> {
         if late { Clock::Late } else { Clock::Punctual }
     }
 
-    /// Conditions that follow from sensors and time.
-    fn watch(&mut self, now_us: u64, clock: Clock) -> Conditions {
-        let mut found = Conditions::empty();
-        let state = self.state();
-        let maneuver = state == FlightState::Maneuver;
-        let over = maneuver && self.player.observe(now_us, self.interval_us, clock == Clock::Late);
-        let error = self.rate_error_radps();
-        let runaway = state != FlightState::Armed && state.motors_on() && error > RUNAWAY_ERROR_RADPS;
-        self.runaway_ticks = if runaway { self.runaway_ticks.saturating_add(1) } else { 0 };
-        let in_state_us = now_us.saturating_sub(self.state_since_us);
-        found.set(Conditions::KILL, self.kill);
-        found.set(Conditions::CLOCK, clock == Clock::Backwards);
-        found.set(Conditions::GYRO_MISSING, self.gyro.is_missing());
-        found.set(Conditions::GYRO_FROZEN, self.gyro.is_frozen());
-        found.set(Conditions::GYRO_SATURATED, self.gyro.is_saturated());
-        found.set(Conditions::RUNAWAY, self.runaway_ticks >= RUNAWAY_TICKS);
-        found.set(Conditions::OVER, over);
-        let blind = self.interval_us >= LATE_ABORT_US;
-        found.set(Conditions::LATE_TICKS, maneuver && (blind || self.player.is_too_late()));
-        found.set(Conditions::OFF_PLAN, maneuver && self.player.is_off_plan(self.rate.angle_error_rad()));
-        found.set(Conditions::IDLE_TOO_LONG, state == FlightState::Armed && in_state_us >= ARMED_IDLE_US);
-        found
-    }
-
-    /// Conditions that follow from the newest setpoint.
-    fn setpoint_conditions(&self, now_us: u64) -> Conditions {
-        let mut found = Conditions::empty();
-        let since = |at: u64| now_us.saturating_sub(at);
-        let age_us = self.host_setpoint.map(|(_, at)| since(at));
-        found.set(Conditions::FRESH, self.setpoint_is_fresh(now_us));
-        // Counted from when the link was lost too: after a long maneuver the host gets its time to come back.
-        let alone_us = age_us.unwrap_or(u64::MAX).min(since(self.state_since_us));
-        found.set(Conditions::LINK_DEAD, alone_us >= LINK_DEAD_US);
-        let lifts = self.host_setpoint.is_some_and(|(s, _)| s.thrust_mps2 >= LIFT_THRUST_MPS2);
-        found.set(Conditions::LIFTS, lifts);
-        found
-    }
-
-    pub(crate) fn setpoint_is_fresh(&self, now_us: u64) -> bool {
-        self.host_setpoint.is_some_and(|(_, at)| now_us.saturating_sub(at) <= SETPOINT_FRESH_US)
-    }
-
-    fn rate_error_radps(&self) -> f32 {
-        let pairs = self.commanded.rates_radps.into_iter().zip(self.gyro.rates_radps());
-        pairs.fold(0.0, |worst, (asked, done)| at_least((asked - done).abs(), worst))
-    }
-
-    /// What blocks arming now.
-    pub(crate) fn arming_block(&self) -> ArmingBlock {
-        use ArmingBlock as B;
-        let low = self.battery_v.is_some_and(|v| v < self.config.battery_low_v);
-        B::none()
-            .when(B::STARTING, self.starting)
-            .when(B::NO_GYRO, !self.capabilities.gyro && !self.starting)
-            .when(B::NO_MOTORS, !self.capabilities.motors && !self.starting)
-            .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
-            .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
-            .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
-            .when(B::GYRO_FROZEN, self.gyro.repeats_itself())
-            .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
-            .when(B::BATTERY_LOW, low)
-            .when(B::KILL_SWITCH, self.kill)
-            .when(B::LATE_TICKS, self.interval_us >= LATE_ABORT_US)
-            .when(B::STOPPED, self.state() == FlightState::Stopped)
-    }
-
     /// What a change of state brings with it.
     fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
         self.state_since_us = now_us;
         let new = self.state();
+        self.events.push(now_us, Happening::Entered(new));
+        if let Some(reason) = reason {
+            self.events.push(now_us, Happening::Aborted(reason));
+        }
         if old == FlightState::Maneuver {
             // Complete is what ended by itself: no reason to abort, and nobody's order to stop.
-            let by_itself = matches!(new, FlightState::Flying | FlightState::LinkLost);
+            let by_itself = matches!(new, FlightState::Tracking | FlightState::Recovery);
             self.player.stop(by_itself && reason.is_none());
             // The plan's accumulated error is no business of the host's setpoints.
             self.rate.reset(self.gyro.rates_radps());
         }
+        self.runaway_ticks = 0;
+        self.saturated_ticks = 0;
         match new {
             FlightState::Armed => {
                 self.rate.reset(self.gyro.rates_radps());
-                self.runaway_ticks = 0;
                 self.worst_interval_us = 0;
+                self.setpoints_lost = 0;
                 self.last_trigger = None;
+                self.last_sequence = None;
+                self.motor_test = None;
+                self.recording = false;
                 // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
             }
             FlightState::Maneuver => {
                 self.rate.reset(self.gyro.rates_radps());
-                self.runaway_ticks = 0;
+                self.recording = false;
                 self.recorder.clear();
+                self.missing_before = self.gyro.missing_total();
                 self.player.start(now_us);
             }
-            FlightState::Disarmed | FlightState::Stopped => {
-                self.host_setpoint = None;
-                self.runaway_ticks = 0;
+            FlightState::Recovery => {
+                let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
+                self.recovery.start(asked_mps2);
             }
-            FlightState::Flying | FlightState::LinkLost => {}
+            FlightState::Terminated => {
+                self.host_setpoint = None;
+                self.recording = false;
+                self.report(IncidentCause::Terminated(reason.unwrap_or(AbortReason::EmergencyStop)));
+            }
+            FlightState::Boot | FlightState::Calibrating | FlightState::Disarmed | FlightState::Landed => {
+                self.host_setpoint = None;
+                self.recording = false;
+            }
+            FlightState::Tracking => {}
         }
     }
 
     /// What to fly until the next tick; `None` for motors that only idle or stand still.
     fn choose_setpoint(&mut self, now_us: u64) -> Option<Setpoint> {
-        // Never more than the host last asked for: a vehicle that stands on the ground stays there.
-        let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
-        let thrust_mps2 = at_most(LINK_LOST_THRUST * GRAVITY_MPS2 as f32, asked_mps2);
-        let sink = Setpoint { rates_radps: [0.0; 3], thrust_mps2 };
-        match self.state() {
-            FlightState::Disarmed | FlightState::Stopped | FlightState::Armed => None,
-            FlightState::Flying => Some(self.host_setpoint.map_or(sink, |(setpoint, _)| setpoint)),
+        let setpoint = match self.state() {
+            FlightState::Tracking => self.host_setpoint.map_or(Setpoint::default(), |(setpoint, _)| setpoint),
             FlightState::Maneuver => {
+                let plane = self.player.plane();
                 let command = self.player.command(now_us, &self.period);
-                Some(command.map_or(sink, |c| Setpoint {
-                    rates_radps: [0.0, c.rate_radps, 0.0],
+                command.map_or(Setpoint::default(), |c| Setpoint {
+                    rates_radps: plane.turn(c.rate_radps),
                     thrust_mps2: c.thrust_mps2,
-                }))
+                })
             }
-            FlightState::LinkLost => Some(sink),
-        }
+            FlightState::Recovery => {
+                let force_mps2 = self.accel_mps2.map(|[_, _, z]| z);
+                self.recovery.command(1.0, [0.0; 3], force_mps2, self.step_s())
+            }
+            _ => return None,
+        };
+        let thrust_mps2 = self.thrust_cap_mps2().map_or(setpoint.thrust_mps2, |cap| at_most(setpoint.thrust_mps2, cap));
+        Some(Setpoint { thrust_mps2, ..setpoint })
+    }
+
+    /// Time since the last tick as the controllers believe it, s. In 32 bits: the processor converts those by itself.
+    fn step_s(&self) -> f32 {
+        let interval_us = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
+        at_most(interval_us as f32 * 1.0e-6, CONTROL_STEP_MAX_S)
     }
 
     /// Rate control, mixing, and what the motors get.
-    fn control(&mut self, setpoint: Option<Setpoint>) -> TickOutput {
-        // In 32 bits: the processor converts those by itself.
-        let interval_us = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
-        let dt_s = at_most(interval_us as f32 * 1.0e-6, CONTROL_STEP_MAX_S);
+    fn control(&mut self, setpoint: Option<Setpoint>, now_us: u64) -> TickOutput {
+        let dt_s = self.step_s();
         let Some(setpoint) = setpoint else {
             self.commanded = Setpoint::default();
             self.rate.reset(self.gyro.rates_radps());
             let off = self.drive.rest(&self.config, dt_s);
-            // Idle is zero demand: the mixer's floor keeps the rotors turning.
-            let idle = (self.state() == FlightState::Armed)
-                .then(|| self.drive.throttles(&self.config, off, self.drive_v, 0.0));
-            return TickOutput { throttle: idle, setpoint: self.commanded };
+            let armed = self.state() == FlightState::Armed;
+            let throttle = match self.purpose {
+                _ if !armed => None,
+                // Idle is zero demand: the mixer's floor keeps the rotors turning.
+                Purpose::Flight => Some(self.drive.throttles(&self.config, off, self.drive_v, 0.0)),
+                Purpose::MotorTest => Some(self.tested(now_us)),
+            };
+            return TickOutput { throttle, setpoint: self.commanded };
         };
         let acceleration =
             self.rate.update(self.commanded.rates_radps, setpoint.rates_radps, self.gyro.rates_radps(), dt_s);
@@ -368,49 +424,48 @@ impl<M: RecordMemory> FlightLogic<M> {
         TickOutput { throttle: Some(throttle), setpoint }
     }
 
+    /// One motor turns for its time, the others stand.
+    fn tested(&mut self, now_us: u64) -> [f32; MOTOR_COUNT] {
+        let mut throttle = [0.0; MOTOR_COUNT];
+        self.motor_test = self.motor_test.filter(|test| now_us < test.until_us);
+        let slot = self.motor_test.and_then(|test| {
+            let output = *self.config.outputs.get(usize::from(test.motor))?;
+            Some((throttle.get_mut(usize::from(output))?, test.throttle))
+        });
+        if let Some((slot, wanted)) = slot {
+            *slot = wanted;
+        }
+        throttle
+    }
+
     /// What the record says of this tick; the recorder fills the interval in.
     fn recorded(&self, output: &TickOutput) -> Option<RecordedTick> {
-        (self.state() == FlightState::Maneuver).then(|| RecordedTick {
+        let maneuver = self.state() == FlightState::Maneuver;
+        let flag = |on: bool, bit: u16| if on { bit } else { 0 };
+        (maneuver || (self.recording && self.state().airborne())).then(|| RecordedTick {
             interval_us: 0,
             gyro_radps: self.gyro.fresh_rates_radps(),
-            rate_radps: output.setpoint.rates_radps[1],
+            rate_radps: self.player.plane().axes(output.setpoint.rates_radps)[1],
             thrust_mps2: output.setpoint.thrust_mps2,
             throttle: output.throttle.unwrap_or_default(),
+            flags: flag(self.clock == Clock::Late, record_flags::LATE)
+                | flag(self.saturated_ticks > 0, record_flags::SATURATED)
+                | flag(self.setpoint_is_fresh(self.last_us.unwrap_or(0)), record_flags::HOST_FRESH)
+                | flag(maneuver, record_flags::MANEUVER)
+                | flag(self.battery_v.is_some(), record_flags::BATTERY),
         })
     }
 
     /// Says how the vehicle is when it is time to. Once a tick, after the motors have their command: it would delay one
     /// tick in sixteen.
     pub fn telemeter(&mut self, outbox: &mut Outbox) {
-        let Some(now_us) = self.last_us.filter(|now| *now >= self.next_telemetry_us) else {
+        // Where the clock ran backwards it stands still, but whoever listens shall hear of it.
+        let due = |now: &u64| *now >= self.next_telemetry_us || self.clock == Clock::Backwards;
+        let Some(now_us) = self.last_us.filter(due) else {
             return;
         };
-        self.next_telemetry_us = now_us.saturating_add(TELEMETRY_US);
+        self.next_telemetry_us = now_us.saturating_add(self.telemetry_us);
         // A full outbox means a slow link: the next one will do.
         let _ = outbox.push_back(Message::Telemetry(self.telemetry()));
-    }
-
-    /// How the vehicle is.
-    pub(crate) fn telemetry(&self) -> Telemetry {
-        Telemetry {
-            time_us: self.last_us.unwrap_or(0),
-            state: self.state(),
-            arming_block: self.arming_block().0,
-            abort: self.supervisor.abort(),
-            table: self.tables.committed_checksum(),
-            maneuver_s: self.player.elapsed_s(),
-            maneuver_complete: self.player.is_complete(),
-            maneuver_ticks: self.player.ticks(),
-            maneuver_missed_ticks: self.player.missed_ticks(),
-            battery_v: self.battery_v.unwrap_or(0.0),
-            rates_radps: self.gyro.rates_radps(),
-            ticks: self.ticks,
-            late_ticks: self.late_ticks,
-            missing_samples: self.gyro.missing_total(),
-            worst_interval_us: self.worst_interval_us,
-            link_errors: self.link_errors,
-            recorded: self.recorder.len(),
-            board: self.board,
-        }
     }
 }

@@ -141,6 +141,13 @@ impl Gyro {
         self.bias_radps.is_some()
     }
 
+    /// The bias shall be learned anew.
+    pub fn forget_bias(&mut self) {
+        self.bias_radps = None;
+        self.moving = true;
+        self.calibration = Calibration::EMPTY;
+    }
+
     /// Whether the vehicle moved during the last window.
     pub fn is_moving(&self) -> bool {
         self.moving

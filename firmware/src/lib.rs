@@ -19,17 +19,23 @@
 )]
 
 pub mod bmi270;
+mod conditions;
 pub mod config;
 pub mod dshot;
+mod events;
 pub mod flight;
 pub mod gyro;
+pub mod keeping;
 pub mod link;
+mod memory;
 pub mod mixer;
 pub mod pacing;
 pub mod player;
 pub mod rate_control;
 pub mod recorder;
+mod recovery;
 mod requests;
 pub mod supervisor;
+mod tables;
 pub mod vehicle;
 pub mod watch;

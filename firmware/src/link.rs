@@ -1,10 +1,15 @@
 //! The serial link: bytes to requests, messages to bytes.
 //!
 //! Every length is bounded. Bytes that are not messages are counted and dropped; requests that arrive faster than the
-//! flight logic takes them are dropped too, counted, and asked again by the host.
+//! flight logic takes them are dropped too, counted, and asked again by the host. Where host and vehicle are paired, what
+//! is not sealed is refused, but for the question who is there: that is where a host learns the session's number.
 
-use mintime_shared::framing::{Decoder, Frame};
-use mintime_shared::messages::{DownlinkRef, PROTOCOL_VERSION, Request, Uplink};
+use heapless::Deque;
+use mintime_shared::framing::{Decoder, Frame, parse};
+use mintime_shared::messages::{
+    DownlinkRef, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Uplink,
+};
+use mintime_shared::seal::{self, PairingKey};
 
 use crate::flight::{Inbox, Outbox};
 
@@ -17,12 +22,37 @@ pub struct Link {
     /// How much of it is sent.
     sent: usize,
     errors: u32,
+    /// The vehicle's session, part of every seal.
+    session: u32,
+    /// Counter of the last seal taken.
+    last_counter: u32,
+    /// Requests that were not sealed and wait for being told so.
+    unsealed: Deque<u16, 2>,
 }
 
 impl Link {
     /// Nothing received, nothing to send.
     pub const fn new() -> Self {
-        Self { decoder: Decoder::new(), frame: Frame::new(), sent: 0, errors: 0 }
+        Self {
+            decoder: Decoder::new(),
+            frame: Frame::new(),
+            sent: 0,
+            errors: 0,
+            session: 0,
+            last_counter: 0,
+            unsealed: Deque::new(),
+        }
+    }
+
+    /// A new session: seals of an older one count no more. Once, at power-up.
+    pub fn set_session(&mut self, session: u32) {
+        self.session = session;
+        self.last_counter = 0;
+    }
+
+    /// The session's number.
+    pub fn session(&self) -> u32 {
+        self.session
     }
 
     /// Received frames that were not messages, or found no room.
@@ -30,25 +60,31 @@ impl Link {
         self.errors
     }
 
-    /// Takes received bytes, in any pieces. An emergency stop finds room whatever is waiting.
-    pub fn receive(&mut self, bytes: &[u8], inbox: &mut Inbox) {
+    /// Takes received bytes, in any pieces. An emergency stop finds room whatever is waiting. With a key only what is sealed
+    /// with it passes.
+    pub fn receive(&mut self, bytes: &[u8], key: Option<&PairingKey>, inbox: &mut Inbox) {
         for &byte in bytes {
-            let lost = match self.decoder.push::<Uplink>(byte) {
-                None => false,
-                Some(Err(_)) => true,
-                Some(Ok(uplink)) => {
-                    let urgent = match uplink.request {
-                        Request::EmergencyStop => true,
-                        // It takes no emergency stop's place, or it would clear what the stop was to set.
-                        Request::Disarm => {
-                            !inbox.back().is_some_and(|last| last.request == Request::EmergencyStop)
+            let uplink = match self.decoder.push_content(byte) {
+                None => continue,
+                Some(Err(_)) => None,
+                Some(Ok(content)) => match key {
+                    None => parse(content).ok(),
+                    Some(key) => match seal::open(key, self.session, self.last_counter, content) {
+                        Some((content, counter)) => {
+                            self.last_counter = counter;
+                            parse(content).ok()
                         }
-                        _ => false,
-                    };
-                    let displaced = urgent && inbox.is_full() && inbox.pop_back().is_some();
-                    inbox.push_back(uplink).is_err() || displaced
-                }
+                        None => parse::<Uplink>(content).ok().filter(|uplink| {
+                            let harmless = uplink.request == Request::Identify;
+                            if !harmless {
+                                let _ = self.unsealed.push_back(uplink.number);
+                            }
+                            harmless
+                        }),
+                    },
+                },
             };
+            let lost = uplink.is_none_or(|uplink| !admit(uplink, inbox));
             self.errors = self.errors.saturating_add(u32::from(lost));
         }
     }
@@ -58,11 +94,17 @@ impl Link {
         let mut written = 0;
         while let Some(room) = out.get_mut(written..).filter(|room| !room.is_empty()) {
             if self.sent == self.frame.as_bytes().len() {
+                self.sent = 0;
+                if let Some(number) = self.unsealed.pop_front() {
+                    let message = &Message::Reply { number, reply: Reply::Refused(Refusal::NotSealed) };
+                    let _ = self.frame.fill(&DownlinkRef { version: PROTOCOL_VERSION, message });
+                    continue;
+                }
                 // By reference: the longest message has 250 bytes, most have few.
                 let Some(message) = outbox.front() else {
+                    self.frame = Frame::new();
                     break;
                 };
-                self.sent = 0;
                 // No message of the protocol is longer than a frame; of one that were the frame is empty.
                 let _ = self.frame.fill(&DownlinkRef { version: PROTOCOL_VERSION, message });
                 drop(outbox.pop_front());
@@ -77,4 +119,16 @@ impl Link {
         }
         written
     }
+}
+
+/// Puts a request into the inbox; whether nothing was lost by it.
+fn admit(uplink: Uplink, inbox: &mut Inbox) -> bool {
+    let urgent = match uplink.request {
+        Request::EmergencyStop => true,
+        // It takes no emergency stop's place, or it would clear what the stop was to set.
+        Request::Disarm => !inbox.back().is_some_and(|last| last.request == Request::EmergencyStop),
+        _ => false,
+    };
+    let displaced = urgent && inbox.is_full() && inbox.pop_back().is_some();
+    inbox.push_back(uplink).is_ok() && !displaced
 }

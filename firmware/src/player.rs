@@ -1,5 +1,6 @@
 //! Plays a maneuver: the replay's commands, and a watch over whether the vehicle follows them.
 
+use mintime_shared::plane::Plane;
 use mintime_shared::replay::{Command, Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
 
 use crate::config::{ENVELOPE_LATERAL_RAD, ENVELOPE_PITCH_RAD, LATE_ABORT_COUNT};
@@ -33,6 +34,12 @@ impl Player {
     /// Lays a plan ready, so that starting it takes no time. Not while one is played.
     pub fn load(&mut self, plan: Plan) {
         self.replay = Some(Replay::new(plan, 0));
+    }
+
+    /// Takes away what lies ready.
+    pub fn unload(&mut self) {
+        self.replay = None;
+        self.playing = false;
     }
 
     /// Starts the plan that lies ready.
@@ -84,12 +91,18 @@ impl Player {
         }
     }
 
+    /// The vertical plane of the maneuver, in the body frame at its start.
+    pub fn plane(&self) -> Plane {
+        self.replay.as_ref().map_or(Plane::FORWARD, |replay| replay.plan().plane())
+    }
+
     /// Whether a rotation has left the envelope around the plan: the rate loop's accumulated error, rad, about
-    /// forward, left, up. Judged against the plan and not against the horizon: flips are planned.
+    /// forward, left, up. Judged against the plan and not against the horizon, and in the plane's own axes: flips are
+    /// planned, in any direction.
     pub fn is_off_plan(&self, angle_error_rad: [f32; 3]) -> bool {
-        let [roll, pitch, yaw] = angle_error_rad;
-        roll.abs() > ENVELOPE_LATERAL_RAD
-            || pitch.abs() > ENVELOPE_PITCH_RAD
+        let [lateral, in_plane, yaw] = self.plane().axes(angle_error_rad);
+        lateral.abs() > ENVELOPE_LATERAL_RAD
+            || in_plane.abs() > ENVELOPE_PITCH_RAD
             || yaw.abs() > ENVELOPE_LATERAL_RAD
     }
 

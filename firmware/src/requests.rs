@@ -1,104 +1,18 @@
-//! What becomes of the host's requests: the table store, and the answer to each.
+//! What becomes of the host's requests, and the answer to each.
 
 use heapless::Vec;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, Identity, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Setpoint,
+    ArmingBlock, FlightState, Happening, Identity, MOTOR_TEST_MS_MAX, MOTOR_TEST_THROTTLE_MAX, Message,
+    PROTOCOL_VERSION, Purpose, Refusal, Reply, Request, Setpoint,
 };
-use mintime_shared::replay::Plan;
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableError};
+use mintime_shared::table::SCHEMA_HASH;
 
-use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_TRIGGER_US, VehicleConfig};
-use crate::flight::{FlightLogic, Inbox, Outbox};
+use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_TRIGGER_US, TELEMETRY_RANGE_MS};
+use crate::flight::{FlightLogic, Inbox, MotorTest, Outbox};
+use crate::keeping::{self, Key};
 use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
-
-type TableBytes = Vec<u8, MAX_TABLE_BYTES>;
-
-/// The staged bytes and the committed table. A commit checks everything first and then replaces the old table at
-/// once; nothing else ever changes it.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Tables {
-    staged: TableBytes,
-    /// Why the staged bytes cannot be flown, where that is known: a host that asks again and again costs nothing.
-    refused: Option<Refusal>,
-    committed: Option<Committed>,
-}
-
-#[derive(Clone, Debug)]
-struct Committed {
-    table: ManeuverTable,
-    checksum: u32,
-}
-
-impl Tables {
-    pub(crate) const fn new() -> Self {
-        Self { staged: Vec::new(), refused: None, committed: None }
-    }
-
-    /// Checks the staged bytes and commits them. Returns the duration, s.
-    fn commit(&mut self, checksum: u32, config: &VehicleConfig) -> Result<Commit, Refusal> {
-        if self.staged.is_empty() {
-            // Asked again after the answer was lost: it is so already.
-            let same = self.committed.as_ref().filter(|c| c.checksum == checksum);
-            return same.map(|c| Commit::Already(c.table.duration_s())).ok_or(Refusal::NotStaged);
-        }
-        if let Some(refusal) = self.refused {
-            return Err(refusal);
-        }
-        let table = self.check(checksum, config).inspect_err(|refusal| {
-            // It stays so until other bytes are staged, except that another checksum may be named.
-            self.refused = Some(*refusal).filter(|r| *r != Refusal::NotStaged);
-        })?;
-        let plan = Plan::new(&table);
-        self.committed = Some(Committed { table, checksum });
-        self.staged.clear();
-        Ok(Commit::New(plan))
-    }
-
-    /// The staged table, if it can be flown. The dearest thing there is: 0.3 ms.
-    fn check(&self, checksum: u32, config: &VehicleConfig) -> Result<ManeuverTable, Refusal> {
-        let table = ManeuverTable::decode(&self.staged).map_err(Refusal::Table)?;
-        if table.checksum() != checksum {
-            return Err(Refusal::NotStaged);
-        }
-        table.check_for(config.hash(), &config.plan_limits()).map_err(Refusal::Table)?;
-        Ok(table)
-    }
-
-    fn stage(&mut self, bytes: &TableBytes) -> Result<u16, Refusal> {
-        if bytes.is_empty() {
-            return Err(Refusal::Table(TableError::Length));
-        }
-        let length = bytes.len() as u16;
-        self.staged.clone_from(bytes);
-        self.refused = None;
-        Ok(length)
-    }
-
-    fn read(&self) -> TableBytes {
-        let mut bytes = TableBytes::new();
-        if let Some(c) = &self.committed {
-            let mut buffer = [0; MAX_TABLE_BYTES];
-            let length = c.table.encode(&mut buffer).unwrap_or(0);
-            let _ = bytes.extend_from_slice(buffer.get(..length).unwrap_or_default());
-        }
-        bytes
-    }
-
-    /// Checksum of the committed table; 0 where there is none.
-    pub(crate) fn committed_checksum(&self) -> u32 {
-        self.committed.as_ref().map_or(0, |c| c.checksum)
-    }
-}
-
-/// What a commit did.
-#[expect(clippy::large_enum_variant, reason = "no allocator to box with; it lives for one call")]
-enum Commit {
-    /// The table is committed; this is it in time.
-    New(Plan),
-    /// It was before; its duration, s.
-    Already(f32),
-}
+use crate::tables::Commit;
 
 /// What the first part of a tick makes of each request in the inbox, in order; the second part answers.
 pub(crate) type Verdicts = Vec<Verdict, INBOX>;
@@ -123,6 +37,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.verdicts.clear();
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
+                self.heard_us = Some(now_us);
                 self.take(uplink.number, &uplink.request, now_us, conditions)
             } else {
                 Verdict::Now(Err(Refusal::ProtocolVersion))
@@ -136,7 +51,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     pub(crate) fn answer(&mut self, inbox: &mut Inbox, now_us: u64, outbox: &mut Outbox) {
         let verdicts = core::mem::take(&mut self.verdicts);
         for verdict in &verdicts {
-            // By reference: a request is 200 bytes long, and most use few of them.
+            // By reference: a request is 130 bytes long, and most use few of them.
             let Some(uplink) = inbox.front() else {
                 return;
             };
@@ -153,9 +68,14 @@ impl<M: RecordMemory> FlightLogic<M> {
                     }
                     Some(Reply::Done)
                 }
-                Verdict::Later => Some(self.serve(&uplink.request).unwrap_or_else(Reply::Refused)),
+                Verdict::Later => {
+                    Some(self.serve(number, &uplink.request, now_us).unwrap_or_else(Reply::Refused))
+                }
             };
             if let Some(reply) = reply {
+                if let Reply::Refused(refusal) = reply {
+                    self.note_refusal(number, refusal, now_us);
+                }
                 // A full outbox means that the host asks faster than the link carries; it asks again after its timeout.
                 let _ = outbox.push_back(Message::Reply { number, reply });
             }
@@ -163,25 +83,39 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
+    /// Into the event log, but each only once: a host that asks again and again must not flush it.
+    fn note_refusal(&mut self, number: u16, refusal: Refusal, now_us: u64) {
+        if self.last_refusal != Some((number, refusal)) {
+            self.last_refusal = Some((number, refusal));
+            // What passes by itself is asked for ten times a second.
+            if !matches!(refusal, Refusal::ArmingBlocked(_)) {
+                self.events.push(now_us, Happening::Refused(refusal));
+            }
+        }
+    }
+
     fn take(&mut self, number: u16, request: &Request, now_us: u64, conditions: &mut Conditions) -> Verdict {
         match *request {
-            Request::Identify
-            | Request::Status
-            | Request::StageTable(_)
-            | Request::CommitTable { .. }
-            | Request::ReadTable
-            | Request::ReadRecord { .. } => Verdict::Later,
-            Request::Setpoint(setpoint) => self.take_setpoint(setpoint, now_us),
+            Request::Heartbeat => Verdict::Silent,
+            Request::Setpoint { sequence, setpoint } => self.take_setpoint(sequence, setpoint, now_us),
             Request::EmergencyStop => {
                 *conditions |= Conditions::EMERGENCY_STOP;
-                Verdict::After(FlightState::Stopped)
+                Verdict::After(FlightState::Terminated)
+            }
+            // It is so, whatever it is called.
+            Request::Disarm if matches!(self.state(), FlightState::Boot | FlightState::Calibrating) => {
+                Verdict::Now(Ok(()))
             }
             Request::Disarm => {
                 *conditions |= Conditions::DISARM;
                 Verdict::After(FlightState::Disarmed)
             }
-            Request::Arm => match self.may_arm() {
+            Request::Acknowledge { incident } => self.take_acknowledgement(incident, conditions),
+            Request::Arm(purpose) => match self.may_arm(purpose) {
                 Ok(()) => {
+                    if !self.state().motors_on() {
+                        self.purpose = purpose;
+                    }
                     *conditions |= Conditions::ARM;
                     Verdict::After(FlightState::Armed)
                 }
@@ -200,57 +134,204 @@ impl<M: RecordMemory> FlightLogic<M> {
                 }
                 Err(refusal) => Verdict::Now(Err(refusal)),
             },
+            Request::TestMotor { motor, throttle, duration_ms } => {
+                Verdict::Now(self.test_motor(motor, throttle, duration_ms, now_us))
+            }
+            _ => Verdict::Later,
+        }
+    }
+
+    /// Acknowledging what has been acknowledged is harmless.
+    fn take_acknowledgement(&mut self, number: u16, conditions: &mut Conditions) -> Verdict {
+        match self.incident {
+            _ if self.state().motors_on() => Verdict::Now(Err(Refusal::MotorsOn)),
+            None if number != 0 && number == self.incidents => Verdict::Now(Ok(())),
+            Some(incident) if incident.number == number => {
+                if self.state() == FlightState::Terminated && self.kill_refuses() {
+                    return Verdict::Now(Err(Refusal::KillSwitch));
+                }
+                *conditions |= Conditions::ACKNOWLEDGE;
+                Verdict::Later
+            }
+            _ => Verdict::Now(Err(Refusal::NoSuchIncident)),
         }
     }
 
     /// What the motors do not hang on, in the state that the tick has led to.
-    fn serve(&mut self, request: &Request) -> Result<Reply, Refusal> {
-        let motors_on = self.state().motors_on();
+    fn serve(&mut self, number: u16, request: &Request, now_us: u64) -> Result<Reply, Refusal> {
+        let motors_off = || if self.state().motors_on() { Err(Refusal::MotorsOn) } else { Ok(()) };
         match *request {
             Request::Identify => Ok(Reply::Identity(self.identity())),
             Request::Status => Ok(Reply::Status(self.telemetry())),
-            Request::StageTable(_) | Request::CommitTable { .. } if motors_on => Err(Refusal::MotorsOn),
-            Request::StageTable(ref bytes) => self.tables.stage(bytes).map(|length| Reply::Staged { length }),
-            Request::CommitTable { checksum } => self.commit(checksum),
+            Request::SetTelemetry { period_ms } => {
+                let (least, most) = TELEMETRY_RANGE_MS;
+                if !(least..=most).contains(&period_ms) {
+                    return Err(Refusal::OutOfRange);
+                }
+                self.telemetry_us = u64::from(period_ms) * 1000;
+                self.next_telemetry_us = 0;
+                Ok(Reply::Done)
+            }
+            Request::Stage { total, offset, ref bytes } => {
+                motors_off()?;
+                self.tables.stage(total, offset, bytes).map(|length| Reply::Staged { length })
+            }
+            Request::CommitTable { checksum } => {
+                motors_off()?;
+                let commit = self.tables.commit(checksum, &self.config)?;
+                Ok(self.committed(commit, checksum, now_us))
+            }
             Request::ReadTable => Ok(Reply::Table(self.tables.read())),
+            Request::ListTables => {
+                Ok(Reply::Tables(self.slots.iter().flatten().map(|slot| slot.listing.clone()).collect()))
+            }
+            Request::StoreTable { ref name, checksum } => {
+                motors_off()?;
+                let Some(place) = self.place_for(name) else { return Err(Refusal::StoreFull) };
+                if self.slots.get(place).and_then(Option::as_ref).is_some_and(|slot| {
+                    slot.listing.name == *name && slot.listing.checksum == checksum
+                }) {
+                    return Ok(Reply::Done);
+                }
+                if name.is_empty() || self.tables.committed_checksum() != checksum || checksum == 0 {
+                    return Err(Refusal::NotCommitted);
+                }
+                let value = keeping::table_value(name, &self.tables.read());
+                // Eight places.
+                self.keep(Key::Table(place as u8), value, now_us)
+            }
+            Request::LoadTable { ref name } => {
+                motors_off()?;
+                let slot = self.slots.iter().flatten().find(|slot| slot.listing.name == *name);
+                let slot = slot.ok_or(Refusal::NoSuchTable)?;
+                let checksum = slot.listing.checksum;
+                let commit = self.tables.load(&slot.bytes, checksum, &self.config)?;
+                Ok(self.committed(commit, checksum, now_us))
+            }
+            Request::DeleteTable { ref name } => {
+                motors_off()?;
+                let named = |slot: &Option<keeping::Slot>| slot.as_ref().is_some_and(|s| s.listing.name == *name);
+                match self.slots.iter().position(named) {
+                    None => Ok(Reply::Done),
+                    Some(place) => self.keep(Key::Table(place as u8), Some(keeping::Value::new()), now_us),
+                }
+            }
+            Request::ReadVehicle => Ok(Reply::Vehicle(self.known.then_some(self.config))),
+            Request::WriteVehicle(config) => {
+                motors_off()?;
+                config.check().map_err(Refusal::Vehicle)?;
+                if self.known && self.config == config {
+                    return Ok(Reply::Done);
+                }
+                self.keep(Key::Vehicle, keeping::value(&config), now_us)
+            }
+            Request::ReadSettings => Ok(Reply::Settings(self.settings)),
+            Request::WriteSettings(settings) => {
+                motors_off()?;
+                settings.check().map_err(Refusal::Settings)?;
+                if self.settings == settings {
+                    return Ok(Reply::Done);
+                }
+                self.keep(Key::Settings, keeping::value(&settings), now_us)
+            }
+            Request::Pair(key) => {
+                motors_off()?;
+                if self.pairing == key {
+                    return Ok(Reply::Done);
+                }
+                let value = key.map_or(Some(keeping::Value::new()), |key| keeping::value(&key));
+                self.keep(Key::Pairing, value, now_us)
+            }
+            Request::Calibrate => self.calibrate(number),
+            Request::CalibrateScale { .. } => Err(Refusal::NoRecord),
+            Request::Acknowledge { incident } => {
+                self.events.push(now_us, Happening::Acknowledged(incident));
+                self.incident = None;
+                Ok(Reply::Done)
+            }
+            Request::Record => {
+                if self.state() != FlightState::Tracking {
+                    return Err(Refusal::WrongState(self.state()));
+                }
+                if !self.recording {
+                    self.recorder.clear();
+                    self.recording = true;
+                }
+                Ok(Reply::Done)
+            }
             Request::ReadRecord { .. } if self.state() == FlightState::Maneuver => {
                 Err(Refusal::WrongState(FlightState::Maneuver))
             }
             Request::ReadRecord { first } => {
                 self.recorder.chunk(first).map(Reply::Record).ok_or(Refusal::NoRecord)
             }
+            Request::ReadEvents { first } => Ok(Reply::Events(self.events.chunk(first))),
             // They have their verdict already.
-            Request::Setpoint(_)
+            Request::Heartbeat
+            | Request::Setpoint { .. }
             | Request::EmergencyStop
             | Request::Disarm
-            | Request::Arm
+            | Request::Arm(_)
+            | Request::TestMotor { .. }
             | Request::Trigger { .. } => Ok(Reply::Done),
         }
     }
 
-    fn commit(&mut self, checksum: u32) -> Result<Reply, Refusal> {
-        let duration_s = match self.tables.commit(checksum, &self.config)? {
+    fn committed(&mut self, commit: Commit, checksum: u32, now_us: u64) -> Reply {
+        let duration_s = match commit {
             Commit::Already(duration_s) => duration_s,
             Commit::New(plan) => {
                 let duration_s = plan.duration_s();
                 self.player.load(plan);
+                self.events.push(now_us, Happening::Committed(checksum));
                 duration_s
             }
         };
-        Ok(Reply::Committed { duration_s })
+        Reply::Committed { checksum, duration_s }
     }
 
-    fn take_setpoint(&mut self, setpoint: Setpoint, now_us: u64) -> Verdict {
+    fn take_setpoint(&mut self, sequence: u16, setpoint: Setpoint, now_us: u64) -> Verdict {
         if !setpoint.is_finite() {
             return Verdict::Now(Err(Refusal::NotFinite));
         }
         if !setpoint.is_in_range() {
             return Verdict::Now(Err(Refusal::OutOfRange));
         }
-        if self.state().motors_on() {
-            self.host_setpoint = Some((setpoint, now_us));
+        if !self.state().motors_on() {
+            return Verdict::Silent;
         }
+        if self.purpose != Purpose::Flight {
+            return Verdict::Now(Err(Refusal::OtherPurpose));
+        }
+        if let Some(last) = self.last_sequence {
+            let step = sequence.wrapping_sub(last);
+            // Half the numbers lie ahead, half behind: what is behind was overtaken on the way.
+            if step == 0 || step > u16::MAX / 2 {
+                return Verdict::Silent;
+            }
+            self.setpoints_lost = self.setpoints_lost.saturating_add(u32::from(step) - 1);
+        }
+        self.last_sequence = Some(sequence);
+        self.host_setpoint = Some((setpoint, now_us));
         Verdict::Silent
+    }
+
+    fn test_motor(&mut self, motor: u8, throttle: f32, duration_ms: u16, now_us: u64) -> Result<(), Refusal> {
+        if self.state() != FlightState::Armed {
+            return Err(Refusal::WrongState(self.state()));
+        }
+        if self.purpose != Purpose::MotorTest {
+            return Err(Refusal::OtherPurpose);
+        }
+        let sane = usize::from(motor) < crate::config::MOTOR_COUNT
+            && (0.0..=MOTOR_TEST_THROTTLE_MAX).contains(&throttle)
+            && duration_ms <= MOTOR_TEST_MS_MAX;
+        if !sane {
+            return Err(Refusal::OutOfRange);
+        }
+        let until_us = now_us.saturating_add(u64::from(duration_ms) * 1000);
+        self.motor_test = Some(MotorTest { motor, throttle, until_us });
+        Ok(())
     }
 
     /// Whether a maneuver was triggered by a request of this number, not long ago: numbers wrap.
@@ -259,41 +340,56 @@ impl<M: RecordMemory> FlightLogic<M> {
             .is_some_and(|(n, at)| n == number && now_us.saturating_sub(at) <= REPEATED_TRIGGER_US)
     }
 
-    fn may_arm(&self) -> Result<(), Refusal> {
+    fn may_arm(&self, purpose: Purpose) -> Result<(), Refusal> {
         match self.state() {
-            FlightState::Armed => Ok(()),
-            FlightState::Disarmed | FlightState::Stopped => match self.arming_block() {
-                block if block == ArmingBlock::none() => Ok(()),
-                ArmingBlock(bits) => Err(Refusal::ArmingBlocked(bits)),
+            FlightState::Armed if self.purpose == purpose => Ok(()),
+            FlightState::Armed => Err(Refusal::OtherPurpose),
+            state if state.motors_on() => Err(Refusal::WrongState(state)),
+            state => match self.arming_block() {
+                block if block != ArmingBlock::none() => Err(Refusal::ArmingBlocked(block.0)),
+                // It takes a tick from calibrated to disarmed.
+                _ if state != FlightState::Disarmed => Err(Refusal::ArmingBlocked(ArmingBlock::NOT_CALIBRATED.0)),
+                _ => Ok(()),
             },
-            state => Err(Refusal::WrongState(state)),
         }
     }
 
     fn may_trigger(&self, checksum: u32, now_us: u64) -> Result<(), Refusal> {
         match self.state() {
-            FlightState::Flying => {}
+            FlightState::Tracking => {}
             state => return Err(Refusal::WrongState(state)),
         }
-        if self.tables.committed.is_none() || self.tables.committed_checksum() != checksum {
+        let Some(committed) = self.tables.committed().filter(|c| c.checksum == checksum) else {
             return Err(Refusal::NotCommitted);
-        }
+        };
         if !self.setpoint_is_fresh(now_us) {
             return Err(Refusal::StaleSetpoint);
         }
-        if self.battery_v.is_none_or(|v| v < self.config.battery_low_v) {
+        let Some(volts) = self.battery_v.filter(|v| *v >= self.config.battery_low_v) else {
             return Err(Refusal::BatteryLow);
+        };
+        let planned_mps2 = committed.table.limits.thrust_max_mps2;
+        if planned_mps2 > at_hand(self.config.thrust_available_mps2(volts), self.thrust_cap_mps2()) {
+            return Err(Refusal::BatteryThrust);
         }
-        Ok(())
+        if self.is_in_start_gate(&committed.table) { Ok(()) } else { Err(Refusal::OutsideGate) }
     }
 
     fn identity(&self) -> Identity {
+        let limits = self.config.plan_limits();
         Identity {
             firmware_version: FIRMWARE_VERSION,
             table_schema: SCHEMA_HASH,
-            vehicle: self.config.hash(),
-            thrust_max_mps2: self.config.plan_thrust_max_mps2,
-            rate_max_radps: self.config.plan_rate_max_radps,
+            vehicle: if self.known { self.config.hash() } else { 0 },
+            session: self.session,
+            paired: self.pairing.is_some(),
+            thrust_min_mps2: limits.thrust_min_mps2,
+            thrust_max_mps2: limits.thrust_max_mps2,
+            rate_max_radps: limits.rate_max_radps,
         }
     }
+}
+
+fn at_hand(available_mps2: f32, cap_mps2: Option<f32>) -> f32 {
+    cap_mps2.map_or(available_mps2, |cap| mintime_shared::real::at_most(available_mps2, cap))
 }

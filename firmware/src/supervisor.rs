@@ -2,8 +2,9 @@
 //!
 //! Every tick the flight logic gathers [`Conditions`] and the first row of [`TRANSITIONS`] that applies is taken. The
 //! rows stand in the order of severity, so that of several faults at once the gravest is acted on and reported, and
-//! no row below can undo one above. Whatever no row covers stays as it is; power-up, reset and panic lead to
-//! `Disarmed`.
+//! no row below can undo one above. Whatever no row covers stays as it is; power-up, reset and panic lead to `Boot`, and
+//! from there no way leads past `Disarmed`. `Terminated` is final: no row leads from it to a state in which a motor turns,
+//! and the only one that leaves it is a person's acknowledgement.
 
 use bitflags::bitflags;
 use mintime_shared::messages::{AbortReason, FlightState};
@@ -12,73 +13,101 @@ bitflags! {
     /// What is true this tick.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Conditions: u32 {
-        /// The kill switch is on.
+        /// The kill switch says stop.
         const KILL = 1 << 0;
+        /// The kill switch's radio is silent.
+        const KILL_LOST = 1 << 1;
         /// The host asked for an emergency stop.
-        const EMERGENCY_STOP = 1 << 1;
+        const EMERGENCY_STOP = 1 << 2;
         /// The host asked to disarm.
-        const DISARM = 1 << 2;
-        /// Gyro samples stay away.
-        const GYRO_MISSING = 1 << 3;
-        /// The gyro repeats itself.
-        const GYRO_FROZEN = 1 << 4;
-        /// The gyro is at the end of its range.
-        const GYRO_SATURATED = 1 << 5;
-        /// The vehicle does not follow its controls.
-        const RUNAWAY = 1 << 6;
-        /// Ticks come too late.
-        const LATE_TICKS = 1 << 7;
-        /// The maneuver left its envelope.
-        const OFF_PLAN = 1 << 8;
-        /// No setpoint for so long that nobody can be flying.
-        const LINK_DEAD = 1 << 9;
-        /// The last setpoint is fresh.
-        const FRESH = 1 << 10;
-        /// The last setpoint asks for thrust.
-        const LIFTS = 1 << 11;
-        /// The maneuver's duration has passed.
-        const OVER = 1 << 12;
-        /// The host triggered a maneuver that may be flown.
-        const TRIGGER = 1 << 13;
-        /// The host asked to arm and nothing blocks it.
-        const ARM = 1 << 14;
-        /// Armed and idle for too long.
-        const IDLE_TOO_LONG = 1 << 15;
+        const DISARM = 1 << 3;
+        /// The host acknowledged the incident that waits.
+        const ACKNOWLEDGE = 1 << 4;
         /// The clock ran backwards.
-        const CLOCK = 1 << 16;
+        const CLOCK = 1 << 5;
+        /// Gyro samples stay away.
+        const GYRO_MISSING = 1 << 6;
+        /// The gyro repeats itself.
+        const GYRO_FROZEN = 1 << 7;
+        /// The gyro is at the end of its range.
+        const GYRO_SATURATED = 1 << 8;
+        /// The vehicle does not follow its controls.
+        const RUNAWAY = 1 << 9;
+        /// Nothing was heard of the host for too long.
+        const HOST_SILENT = 1 << 10;
+        /// The maneuver is one to be given up when the link is lost.
+        const ABANDON = 1 << 11;
+        /// Ticks come too late.
+        const LATE_TICKS = 1 << 12;
+        /// Too many samples of this maneuver were lost.
+        const LOST_SAMPLES = 1 << 13;
+        /// The maneuver left its envelope.
+        const OFF_PLAN = 1 << 14;
+        /// The rotors have been at their limit for too long.
+        const SATURATED = 1 << 15;
+        /// The battery fell below its critical voltage.
+        const BATTERY_SAG = 1 << 16;
+        /// The last setpoint is fresh.
+        const FRESH = 1 << 17;
+        /// The last setpoint asks for thrust.
+        const LIFTS = 1 << 18;
+        /// The maneuver's duration has passed.
+        const OVER = 1 << 19;
+        /// The host triggered a maneuver that may be flown.
+        const TRIGGER = 1 << 20;
+        /// The host asked to arm and nothing blocks it.
+        const ARM = 1 << 21;
+        /// Armed and idle for too long.
+        const IDLE_TOO_LONG = 1 << 22;
+        /// Drivers are at work on their set-up.
+        const STARTING = 1 << 23;
+        /// The gyro's bias is known and no calibration is under way.
+        const CALIBRATED = 1 << 24;
+        /// The recovering vehicle stands on something.
+        const TOUCHED_DOWN = 1 << 25;
+        /// The recovery has lasted long enough.
+        const RECOVERY_OVER = 1 << 26;
     }
 
     /// Sets of flight states.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub struct States: u8 {
+    pub struct States: u16 {
+        /// Starting.
+        const BOOT = 1 << 0;
+        /// Learning the gyro's bias or scale.
+        const CALIBRATING = 1 << 1;
         /// Motors off.
-        const DISARMED = 1 << 0;
+        const DISARMED = 1 << 2;
         /// Motors idle.
-        const ARMED = 1 << 1;
+        const ARMED = 1 << 3;
         /// Following setpoints.
-        const FLYING = 1 << 2;
+        const TRACKING = 1 << 4;
         /// Replaying.
-        const MANEUVER = 1 << 3;
-        /// Sinking without setpoints.
-        const LINK_LOST = 1 << 4;
-        /// Stopped until cleared.
-        const STOPPED = 1 << 5;
+        const MANEUVER = 1 << 5;
+        /// Levelling and sinking.
+        const RECOVERY = 1 << 6;
+        /// Down after a recovery.
+        const LANDED = 1 << 7;
+        /// Stopped for good.
+        const TERMINATED = 1 << 8;
         /// Motors turning at any speed.
-        const MOTORS_ON = Self::ARMED.bits() | Self::FLYING.bits() | Self::MANEUVER.bits() | Self::LINK_LOST.bits();
-        /// In the air.
-        const AIRBORNE = Self::FLYING.bits() | Self::MANEUVER.bits() | Self::LINK_LOST.bits();
+        const MOTORS_ON =
+            Self::ARMED.bits() | Self::TRACKING.bits() | Self::MANEUVER.bits() | Self::RECOVERY.bits();
     }
 }
 
 impl From<FlightState> for States {
     fn from(state: FlightState) -> Self {
         match state {
+            FlightState::Boot => Self::BOOT,
+            FlightState::Calibrating => Self::CALIBRATING,
             FlightState::Disarmed => Self::DISARMED,
             FlightState::Armed => Self::ARMED,
-            FlightState::Flying => Self::FLYING,
+            FlightState::Tracking => Self::TRACKING,
             FlightState::Maneuver => Self::MANEUVER,
-            FlightState::LinkLost => Self::LINK_LOST,
-            FlightState::Stopped => Self::STOPPED,
+            FlightState::Recovery => Self::RECOVERY,
+            FlightState::Landed => Self::LANDED,
+            FlightState::Terminated => Self::TERMINATED,
         }
     }
 }
@@ -99,9 +128,13 @@ pub struct Transition {
 }
 
 /// All transitions, gravest first.
-pub const TRANSITIONS: [Transition; 21] = {
+pub const TRANSITIONS: [Transition; 36] = {
+    use AbortReason as R;
     use Conditions as C;
-    use FlightState::{Armed, Disarmed, Flying, LinkLost, Maneuver, Stopped};
+    use FlightState::{
+        Armed, Calibrating, Disarmed, Landed, Maneuver, Recovery, Terminated, Tracking,
+    };
+    use States as S;
     const fn row(
         from: States,
         when: Conditions,
@@ -114,47 +147,50 @@ pub const TRANSITIONS: [Transition; 21] = {
     const ON: States = States::MOTORS_ON;
     const NONE: Conditions = Conditions::empty();
     [
-        // A person said stop.
-        row(
-            States::all().difference(States::STOPPED),
-            C::EMERGENCY_STOP,
-            NONE,
-            Stopped,
-            Some(AbortReason::EmergencyStop),
-        ),
-        row(ON, C::KILL, NONE, Stopped, Some(AbortReason::KillSwitch)),
-        // An emergency stop that arrives together with a disarm outlasts it.
-        row(
-            States::all().difference(States::DISARMED),
-            C::DISARM,
-            C::KILL.union(C::EMERGENCY_STOP),
-            Disarmed,
-            None,
-        ),
+        // A person said stop, or can no longer say it.
+        row(S::all().difference(S::TERMINATED), C::EMERGENCY_STOP, NONE, Terminated, Some(R::EmergencyStop)),
+        row(ON, C::KILL, NONE, Terminated, Some(R::KillSwitch)),
+        row(ON, C::KILL_LOST, NONE, Terminated, Some(R::KillLost)),
+        row(ON.union(S::LANDED), C::DISARM, NONE, Disarmed, None),
         // Every timeout hangs on the clock.
-        row(ON, C::CLOCK, NONE, Stopped, Some(AbortReason::Clock)),
+        row(ON, C::CLOCK, NONE, Terminated, Some(R::Clock)),
         // Nothing can be controlled without rates.
-        row(ON, C::GYRO_MISSING, NONE, Stopped, Some(AbortReason::GyroMissing)),
-        row(ON, C::GYRO_FROZEN, NONE, Stopped, Some(AbortReason::GyroFrozen)),
-        row(ON, C::GYRO_SATURATED, NONE, Stopped, Some(AbortReason::GyroSaturated)),
-        row(ON, C::RUNAWAY, NONE, Stopped, Some(AbortReason::Runaway)),
-        // Nobody is flying.
-        row(States::LINK_LOST, C::LINK_DEAD, C::FRESH, Stopped, Some(AbortReason::LinkLost)),
-        // The maneuver failed but the vehicle is controllable: back to the host if it is there. If not, nobody knows which
-        // way is up: motors off.
-        row(States::MANEUVER, C::LATE_TICKS.union(C::FRESH), NONE, Flying, Some(AbortReason::LateTicks)),
-        row(States::MANEUVER, C::LATE_TICKS, NONE, Stopped, Some(AbortReason::LateTicks)),
-        row(States::MANEUVER, C::OFF_PLAN.union(C::FRESH), NONE, Flying, Some(AbortReason::OffPlan)),
-        row(States::MANEUVER, C::OFF_PLAN, NONE, Stopped, Some(AbortReason::OffPlan)),
-        row(States::ARMED, C::IDLE_TOO_LONG, NONE, Disarmed, Some(AbortReason::IdleTimeout)),
+        row(ON, C::GYRO_MISSING, NONE, Terminated, Some(R::GyroMissing)),
+        row(ON, C::GYRO_FROZEN, NONE, Terminated, Some(R::GyroFrozen)),
+        row(ON, C::GYRO_SATURATED, NONE, Terminated, Some(R::GyroSaturated)),
+        row(ON, C::RUNAWAY, NONE, Terminated, Some(R::Runaway)),
+        // Nobody is there.
+        row(S::ARMED, C::HOST_SILENT, NONE, Disarmed, Some(R::HeartbeatLost)),
+        row(S::MANEUVER, C::ABANDON, C::FRESH, Recovery, Some(R::LinkLost)),
+        row(S::RECOVERY, C::TOUCHED_DOWN, C::FRESH, Landed, Some(R::LinkLost)),
+        row(S::RECOVERY, C::RECOVERY_OVER, C::FRESH, Terminated, Some(R::LinkLost)),
+        // The maneuver failed but the vehicle is controllable: back to the host if it is there, else down on its own.
+        row(S::MANEUVER, C::LATE_TICKS.union(C::FRESH), NONE, Tracking, Some(R::LateTicks)),
+        row(S::MANEUVER, C::LATE_TICKS, NONE, Recovery, Some(R::LateTicks)),
+        row(S::MANEUVER, C::LOST_SAMPLES.union(C::FRESH), NONE, Tracking, Some(R::LostSamples)),
+        row(S::MANEUVER, C::LOST_SAMPLES, NONE, Recovery, Some(R::LostSamples)),
+        row(S::MANEUVER, C::OFF_PLAN.union(C::FRESH), NONE, Tracking, Some(R::OffPlan)),
+        row(S::MANEUVER, C::OFF_PLAN, NONE, Recovery, Some(R::OffPlan)),
+        row(S::MANEUVER, C::SATURATED.union(C::FRESH), NONE, Tracking, Some(R::MotorsSaturated)),
+        row(S::MANEUVER, C::SATURATED, NONE, Recovery, Some(R::MotorsSaturated)),
+        row(S::MANEUVER, C::BATTERY_SAG.union(C::FRESH), NONE, Tracking, Some(R::BatterySag)),
+        row(S::MANEUVER, C::BATTERY_SAG, NONE, Recovery, Some(R::BatterySag)),
+        row(S::ARMED, C::IDLE_TOO_LONG, NONE, Disarmed, Some(R::IdleTimeout)),
         // The ordinary course of a flight.
-        row(States::MANEUVER, C::OVER.union(C::FRESH), NONE, Flying, None),
-        row(States::MANEUVER, C::OVER, NONE, LinkLost, None),
-        row(States::FLYING, NONE, C::FRESH, LinkLost, None),
-        row(States::LINK_LOST, C::FRESH, NONE, Flying, None),
-        row(States::FLYING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
-        row(States::ARMED, C::FRESH.union(C::LIFTS), NONE, Flying, None),
-        row(States::DISARMED, C::ARM, C::KILL.union(C::DISARM), Armed, None),
+        row(S::MANEUVER, C::OVER.union(C::FRESH), NONE, Tracking, None),
+        row(S::MANEUVER, C::OVER, NONE, Recovery, None),
+        row(S::TRACKING, NONE, C::FRESH, Recovery, None),
+        row(S::RECOVERY, C::FRESH, NONE, Tracking, None),
+        row(S::TRACKING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
+        row(S::ARMED, C::FRESH.union(C::LIFTS), NONE, Tracking, None),
+        row(S::DISARMED, NONE, C::CALIBRATED, Calibrating, None),
+        row(S::DISARMED, C::ARM, C::KILL.union(C::KILL_LOST).union(C::DISARM), Armed, None),
+        // From power-up.
+        row(S::BOOT, NONE, C::STARTING, Calibrating, None),
+        row(S::CALIBRATING, C::CALIBRATED, NONE, Disarmed, None),
+        // The way out of the end.
+        row(S::TERMINATED, C::ACKNOWLEDGE.union(C::CALIBRATED), C::KILL.union(C::EMERGENCY_STOP), Disarmed, None),
+        row(S::TERMINATED, C::ACKNOWLEDGE, C::KILL.union(C::EMERGENCY_STOP), Calibrating, None),
     ]
 };
 
@@ -166,9 +202,14 @@ pub struct Supervisor {
 }
 
 impl Supervisor {
-    /// Disarmed.
+    /// Just switched on.
     pub const fn new() -> Self {
-        Self { state: FlightState::Disarmed, abort: None }
+        Self { state: FlightState::Boot, abort: None }
+    }
+
+    /// A supervisor in a state, for tests of single transitions.
+    pub const fn in_state(state: FlightState) -> Self {
+        Self { state, abort: None }
     }
 
     /// The state.

@@ -1,9 +1,10 @@
 //! The flight logic with its link: what a board owns.
 
-use mintime_shared::messages::FlightState;
+use mintime_shared::messages::{FlightState, Incident, IncidentCause};
 
 use crate::config::{BoardStatus, Capabilities, VehicleConfig};
 use crate::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
+use crate::keeping::{Job, Key};
 use crate::link::Link;
 use crate::recorder::RecordMemory;
 
@@ -17,8 +18,9 @@ pub struct Vehicle<M> {
 }
 
 impl<M: RecordMemory> Vehicle<M> {
-    /// A vehicle that was just switched on. `record` is the memory for flight records, 20 bytes a tick.
-    pub const fn new(config: VehicleConfig, capabilities: Capabilities, record: M) -> Self {
+    /// A vehicle that was just switched on. `config` is what it is if it has been told, `None` until its vehicle file is
+    /// [restored](Self::restore) or written; `record` is the memory for flight records, 20 bytes a tick.
+    pub const fn new(config: Option<VehicleConfig>, capabilities: Capabilities, record: M) -> Self {
         Self {
             link: Link::new(),
             inbox: Inbox::new(),
@@ -27,11 +29,27 @@ impl<M: RecordMemory> Vehicle<M> {
         }
     }
 
+    /// Hands back what was kept under a key before the power went. Before the first tick. Returns whether it could be used.
+    pub fn restore(&mut self, key: Key, value: &[u8]) -> bool {
+        self.logic.restore(key, value)
+    }
+
+    /// Says what happened before this start, or to the board. It blocks arming until a person has acknowledged it.
+    pub fn report(&mut self, cause: IncidentCause) {
+        self.logic.report(cause);
+    }
+
+    /// A number that no earlier start of this vehicle had: what seals are made for.
+    pub fn set_session(&mut self, session: u32) {
+        self.link.set_session(session);
+        self.logic.set_session(session);
+    }
+
     /// Takes bytes from the serial line, in any pieces.
     pub fn receive(&mut self, bytes: &[u8]) {
         // What an emergency stop may displace must not be a request with its verdict.
         self.conclude();
-        self.link.receive(bytes, &mut self.inbox);
+        self.link.receive(bytes, self.logic.pairing(), &mut self.inbox);
     }
 
     /// One control tick, as far as the motors wait for it; the rest of it is done by whatever is called next. Deadline and
@@ -60,8 +78,25 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.set_board_status(status);
     }
 
+    /// What the board shall write to flash now, if anything; the motors are off while there is. Done when
+    /// [`crate::config::StoreStatus::finished`] names its ticket.
+    pub fn job(&self) -> Option<&Job> {
+        self.logic.job()
+    }
+
+    /// What waits to be acknowledged.
+    pub fn incident(&self) -> Option<Incident> {
+        self.logic.incident()
+    }
+
     /// What the supervisor is doing.
     pub fn state(&self) -> FlightState {
         self.logic.state()
+    }
+
+    /// Channel of the receiver that is the kill switch, from 1, and its thresholds, µs: run from, stop up to.
+    pub fn kill_switch(&self) -> (u8, u16, u16) {
+        let settings = self.logic.settings();
+        (settings.kill_channel, settings.kill_run_us, settings.kill_stop_us)
     }
 }

@@ -3,9 +3,9 @@
 //!
 //! Little-endian words in the order of [`Watch`]'s fields, [`WATCH_BYTES`] in all, at the symbol [`WATCH_SYMBOL`].
 
-use mintime_shared::messages::{FlightState, Setpoint};
+use mintime_shared::messages::{FlightState, KillSwitch, Setpoint};
 
-use crate::config::{BoardStatus, MOTOR_COUNT};
+use crate::config::{BoardStatus, MOTOR_COUNT, StoreStatus};
 use crate::flight::{TickInput, TickOutput};
 use crate::gyro::ImuSample;
 
@@ -14,7 +14,7 @@ pub const WATCH_SYMBOL: &str = "MINTIME_WATCH";
 /// Link bytes that a tick takes in at most.
 pub const RECEIVE_BYTES: usize = 128;
 /// Size of [`Watch`].
-pub const WATCH_BYTES: usize = 88 + RECEIVE_BYTES;
+pub const WATCH_BYTES: usize = 92 + RECEIVE_BYTES;
 
 /// One tick. Everything is a word of four bytes or made of them, so that the layout is the same everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,8 @@ pub struct Watch {
     pub thrust_mps2: f32,
     /// What the supervisor does after the tick, as the number that goes over the wire.
     pub state: u32,
+    /// [`StoreStatus::finished`].
+    pub stored: u32,
     /// Link bytes that there was room to send.
     pub room: u32,
     /// How many of [`Self::received`] are new.
@@ -54,8 +56,8 @@ pub mod flags {
     pub const IMU: u32 = 1;
     /// The battery voltage was known.
     pub const BATTERY: u32 = 1 << 1;
-    /// The kill switch was on.
-    pub const KILL: u32 = 1 << 2;
+    /// The kill switch was heard: silent, stop or run by the next two.
+    pub const KILL_HEARD: u32 = 1 << 2;
     /// The motors are on.
     pub const MOTORS: u32 = 1 << 3;
     /// The board can measure rates.
@@ -64,6 +66,16 @@ pub mod flags {
     pub const CAN_DRIVE: u32 = 1 << 5;
     /// The board is still starting.
     pub const STARTING: u32 = 1 << 6;
+    /// The kill switch said stop.
+    pub const KILL_STOP: u32 = 1 << 7;
+    /// The kill switch let the motors run.
+    pub const KILL_RUN: u32 = 1 << 8;
+    /// The board has a store.
+    pub const STORE: u32 = 1 << 9;
+    /// It is at work.
+    pub const STORE_BUSY: u32 = 1 << 10;
+    /// Its last job failed.
+    pub const STORE_FAILED: u32 = 1 << 11;
 }
 
 impl Watch {
@@ -80,6 +92,7 @@ impl Watch {
             rates_radps: [0.0; 3],
             thrust_mps2: 0.0,
             state: 0,
+            stored: 0,
             room: 0,
             received_len: 0,
             received: [0; RECEIVE_BYTES],
@@ -92,7 +105,12 @@ impl Watch {
         let mut set = |on: bool, bit: u32| bits |= if on { bit } else { 0 };
         set(input.imu.is_some(), flags::IMU);
         set(input.battery_v.is_some(), flags::BATTERY);
-        set(input.kill, flags::KILL);
+        set(input.kill != KillSwitch::Absent, flags::KILL_HEARD);
+        set(input.kill == KillSwitch::Stop, flags::KILL_STOP);
+        set(input.kill == KillSwitch::Run, flags::KILL_RUN);
+        set(status.store.present, flags::STORE);
+        set(status.store.busy, flags::STORE_BUSY);
+        set(status.store.failed, flags::STORE_FAILED);
         set(output.throttle.is_some(), flags::MOTORS);
         set(status.capabilities.gyro, flags::CAN_MEASURE);
         set(status.capabilities.motors, flags::CAN_DRIVE);
@@ -108,6 +126,7 @@ impl Watch {
         self.rates_radps = output.setpoint.rates_radps;
         self.thrust_mps2 = output.setpoint.thrust_mps2;
         self.state = state as u32;
+        self.stored = status.store.finished;
     }
 
     /// What the flight logic got.
@@ -119,7 +138,12 @@ impl Watch {
             now_us: low | high << 32,
             imu: has(flags::IMU).then_some(imu),
             battery_v: has(flags::BATTERY).then_some(self.battery_v),
-            kill: has(flags::KILL),
+            kill: match (has(flags::KILL_HEARD), has(flags::KILL_STOP), has(flags::KILL_RUN)) {
+                (false, ..) => KillSwitch::Absent,
+                (true, true, _) => KillSwitch::Stop,
+                (true, false, true) => KillSwitch::Run,
+                (true, false, false) => KillSwitch::Lost,
+            },
         }
     }
 
@@ -128,6 +152,17 @@ impl Watch {
         TickOutput {
             throttle: (self.flags & flags::MOTORS != 0).then_some(self.throttle),
             setpoint: Setpoint { rates_radps: self.rates_radps, thrust_mps2: self.thrust_mps2 },
+        }
+    }
+
+    /// What the board said of its store.
+    pub fn store(&self) -> StoreStatus {
+        let has = |bit: u32| self.flags & bit != 0;
+        StoreStatus {
+            present: has(flags::STORE),
+            busy: has(flags::STORE_BUSY),
+            failed: has(flags::STORE_FAILED),
+            finished: self.stored,
         }
     }
 
@@ -162,6 +197,7 @@ impl Watch {
             rates_radps,
             thrust_mps2,
             state: word(),
+            stored: word(),
             room: word(),
             received_len: word(),
             received: received.try_into().unwrap_or([0; RECEIVE_BYTES]),

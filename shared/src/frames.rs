@@ -1,7 +1,9 @@
 //! Axes and signs, stated once.
 //!
-//! World frame: x along the maneuver plane's heading, y to the left, z up. Body frame: x forward, y left, z up (FLU);
-//! the gyro of the reference board is mounted so that its own axes are these. Rotations are right-handed, so
+//! World frame: z up, x along the body's forward axis at the start of a maneuver, y to the left of it. A maneuver's plane
+//! may have any heading in it: see [`crate::plane`].
+//! Body frame: x forward, y left, z up (FLU); the gyro of the reference board is mounted so that its own axes are these.
+//! Rotations are right-handed, so
 //! +ω_y is **nose-down**: it turns the thrust axis from z towards x and is the paper's +θ. +ω_x rolls to the right,
 //! +ω_z yaws to the left (counter-clockwise seen from above).
 //!

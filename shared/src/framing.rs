@@ -67,9 +67,24 @@ impl Frame {
     /// # Errors
     /// As [`encode`].
     pub fn fill<M: Serialize>(&mut self, message: &M) -> Result<(), FrameError> {
+        self.fill_sealed(message, |_| [])
+    }
+
+    /// The same, with what `seal` makes of the content behind it, [`crate::seal`].
+    ///
+    /// # Errors
+    /// As [`encode`].
+    pub fn fill_sealed<M: Serialize, const N: usize>(
+        &mut self,
+        message: &M,
+        seal: impl FnOnce(&[u8]) -> [u8; N],
+    ) -> Result<(), FrameError> {
         self.length = 0;
         let mut content = [0; MAX_FRAME_BYTES];
-        let body = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
+        let bare = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
+        let tail = seal(content.get(..bare).unwrap_or_default());
+        let body = bare + N;
+        content.get_mut(bare..body).ok_or(FrameError::TooLong)?.copy_from_slice(&tail);
         let length = checksum::append(&mut content, body).ok_or(FrameError::TooLong)?;
         if cobs::max_encoding_length(length) + 1 > MAX_FRAME_BYTES {
             return Err(FrameError::TooLong);
@@ -111,6 +126,11 @@ impl Decoder {
     /// Takes one byte. `Some` where it ends a frame: the message, or why there is none. Empty frames (two zeros in a
     /// row) are idle filling and say nothing.
     pub fn push<M: DeserializeOwned>(&mut self, byte: u8) -> Option<Result<M, FrameError>> {
+        Some(self.push_content(byte)?.and_then(parse))
+    }
+
+    /// The same, but the frame's content as it is: its checksum holds, nothing in it has been looked at.
+    pub fn push_content(&mut self, byte: u8) -> Option<Result<&[u8], FrameError>> {
         if byte != 0 {
             match self.buffer.get_mut(self.length) {
                 Some(slot) => {
@@ -130,15 +150,20 @@ impl Decoder {
     }
 }
 
-/// Decodes one frame, without its closing zero, in place.
-fn decode<M: DeserializeOwned>(coded: &mut [u8]) -> Result<M, FrameError> {
+/// The content of one frame, without its closing zero, decoded in place.
+fn decode(coded: &mut [u8]) -> Result<&[u8], FrameError> {
     let length = cobs::decode_in_place(coded).map_err(|_| FrameError::Encoding)?;
     let content = coded.get(..length).ok_or(FrameError::Encoding)?;
     let (body, intact) = checksum::split(content).ok_or(FrameError::TooShort)?;
-    if !intact {
-        return Err(FrameError::Checksum);
-    }
-    match postcard::take_from_bytes(body) {
+    if intact { Ok(body) } else { Err(FrameError::Checksum) }
+}
+
+/// The message in a frame's content, with nothing left over.
+///
+/// # Errors
+/// [`FrameError::Content`].
+pub fn parse<M: DeserializeOwned>(content: &[u8]) -> Result<M, FrameError> {
+    match postcard::take_from_bytes(content) {
         Ok((message, [])) => Ok(message),
         _ => Err(FrameError::Content),
     }

@@ -15,8 +15,12 @@ pub mod messages;
 pub mod minimum_principle;
 pub mod model;
 pub mod motion;
+pub mod plane;
 pub mod real;
 pub mod replay;
+pub mod seal;
+pub mod settings;
 pub mod table;
+pub mod vehicle;
 
 pub use checksum::crc32;

@@ -11,6 +11,7 @@
 
 use crate::model::{Limits, Segment, State};
 use crate::motion::{self, Turn};
+use crate::plane::Plane;
 use crate::real::{at_least, at_most};
 use crate::table::{self, ArcProfile, MAX_SEGMENTS, ManeuverTable};
 use heapless::Vec;
@@ -29,7 +30,8 @@ const SHORTEST_REPAYMENT_S: f32 = 50.0e-6;
 /// What the vehicle is to do until the next tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Command {
-    /// Pitch rate, rad/s, positive nose-down (+ω_y).
+    /// Rate of turn in the maneuver's plane, rad/s: positive tips the thrust towards the plane's heading. Straight ahead
+    /// that is nose-down (+ω_y). [`Plane::turn`] makes body rates of it.
     pub rate_radps: f32,
     /// Collective thrust per mass, m/s².
     pub thrust_mps2: f32,
@@ -43,6 +45,7 @@ pub struct Plan {
     arcs: Option<ArcProfile>,
     limits: Limits<f32>,
     start: State<f32>,
+    plane: Plane,
 }
 
 impl Plan {
@@ -55,7 +58,13 @@ impl Plan {
             // Both hold at most MAX_SEGMENTS, so there is always room.
             let _ = segments.push((end_s, segment));
         }
-        Self { segments, arcs: table.arcs, limits: table.limits, start: table.start }
+        let plane = Plane::new(table.heading_rad);
+        Self { segments, arcs: table.arcs, limits: table.limits, start: table.start, plane }
+    }
+
+    /// The vertical plane it lies in.
+    pub fn plane(&self) -> Plane {
+        self.plane
     }
 
     /// Duration T, s.

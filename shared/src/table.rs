@@ -7,15 +7,16 @@
 //!
 //! # Bytes
 //!
-//! postcard, little-endian, fixed order; a table with n segments and arcs takes 83 + 5 n bytes (8 fewer without arcs):
+//! postcard, little-endian, fixed order; a table with n segments and arcs takes 84 + 5 n bytes (8 fewer without arcs):
 //!
 //! | bytes | field |
 //! |---|---|
 //! | 4 | schema hash: this layout |
 //! | 4 | vehicle hash: whom it was made for, 0 for any |
 //! | 1 | kind: extremal 0, retimed 1, learned 2 |
+//! | 1 | what to do where the link is lost on the way: finish 0, abandon 1 |
 //! | 16 | limits it was planned with: thrust min, max (m/s²), rate (rad/s), gravity (m/s²), each `f32` |
-//! | 4 | heading of the maneuver's plane, rad, `f32` |
+//! | 4 | heading of the maneuver's plane from the body's forward axis towards left, rad, `f32` |
 //! | 20 | start state x, ẋ, z, ż, θ, each `f32`, SI |
 //! | 20 | end state, likewise; θ unwrapped, so the turns are in it |
 //! | 1 or 9 | 0: no arcs; 1: width (s, signed) and peak time (s from the start), each `f32` |
@@ -33,7 +34,7 @@ use crate::motion::{self, Arc, Turn};
 
 /// Most segments a table can hold. The longest extremal seen over thousands of random requests has 13.
 pub const MAX_SEGMENTS: usize = 24;
-/// Most bytes an encoded table can take: 83 + 5·24, rounded up.
+/// Most bytes an encoded table can take: 84 + 5·24.
 pub const MAX_TABLE_BYTES: usize = 204;
 /// Longest maneuver accepted, s. A table is a maneuver, not a mission.
 pub const MAX_DURATION_S: f32 = 10.0;
@@ -42,7 +43,7 @@ pub const ANY_VEHICLE: u32 = 0;
 
 /// Identifies the layout above; changes with every change of it.
 pub const SCHEMA_HASH: u32 = checksum::crc32(
-    b"mintime table 1: schema u32, vehicle u32, kind u8, limits 4f32, heading f32, start 5f32, end 5f32, \
+    b"mintime table 2: schema u32, vehicle u32, kind u8, link u8, limits 4f32, heading f32, start 5f32, end 5f32, \
       arcs option(width f32, peak f32), segments [inputs u8, duration f32]",
 );
 
@@ -68,6 +69,16 @@ pub enum Kind {
     Retimed,
     /// Durations adjusted by what earlier flights taught.
     Learned,
+}
+
+/// What becomes of a maneuver whose host falls silent on the way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LinkPolicy {
+    /// Fly it to its end: half a flip is worse than a whole one.
+    #[default]
+    Finish,
+    /// Give it up: level, sink, motors off.
+    Abandon,
 }
 
 /// The rate on every singular arc of a maneuver: width / (width² + (t − peak)²), eq. (15) in SI units.
@@ -131,9 +142,12 @@ pub struct ManeuverTable {
     pub vehicle: u32,
     /// Where its numbers come from.
     pub kind: Kind,
+    /// What to do where the link is lost on the way.
+    pub link: LinkPolicy,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the maneuver's vertical plane in the world, rad. The host yaws the vehicle there before it triggers.
+    /// Heading of the maneuver's vertical plane in the body frame at the start, rad: 0 is forward, positive to the left.
+    /// The vehicle need not yaw there: [`crate::plane`].
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,
@@ -277,11 +291,12 @@ impl ManeuverTable {
                 .push(TableSegment { inputs: InputCode(inputs), duration_s: duration })
                 .map_err(|_| TableError::TooManySegments)?;
         }
-        let TableHeader { vehicle, kind, limits, heading_rad, start, end } = header;
+        let TableHeader { vehicle, kind, link, limits, heading_rad, start, end } = header;
         let table = Self {
             schema: SCHEMA_HASH,
             vehicle,
             kind,
+            link,
             limits,
             heading_rad,
             start,
@@ -484,9 +499,11 @@ pub struct TableHeader {
     pub vehicle: u32,
     /// Where its numbers come from.
     pub kind: Kind,
+    /// What to do where the link is lost on the way.
+    pub link: LinkPolicy,
     /// Limits it was planned with.
     pub limits: Limits<f32>,
-    /// Heading of the plane, rad.
+    /// Heading of the plane in the body frame at the start, rad.
     pub heading_rad: f32,
     /// Expected start.
     pub start: State<f32>,

@@ -23,7 +23,12 @@ impl Witness for Unseen {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let image = FirmwareImage::build(&mut |what| eprintln!("{what}"))?;
     let vehicle = VehicleChoice::Virtual { image, both_timings: false };
-    let source = Source::Solve { to: State::at_rest(5.0, 5.0), limits: Limits::TABLE_I, turns: Turns::Any };
+    let source = Source::Solve {
+        to: State::at_rest(5.0, 5.0),
+        limits: Limits::TABLE_I,
+        turns: Turns::Any,
+        heading_rad: 0.0,
+    };
     let plant = PlantChoice::from_argument("nominal")?;
     let mission = Mission { source, plant, seed: 1, room: None };
     let mut best: Option<(f64, f64)> = None;

@@ -43,6 +43,8 @@ pub enum Source {
         limits: Limits<f64>,
         /// Windings.
         turns: Turns,
+        /// Heading of the plane to fly it in, rad from the vehicle's forward axis to the left.
+        heading_rad: f64,
     },
     /// Fly these bytes.
     Table(Vec<u8>),
@@ -101,8 +103,12 @@ impl PlantChoice {
 /// Free space, relative to the start of the maneuver, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Room {
-    /// Behind the start (negative) and ahead of it.
+    /// Behind the start (negative) and ahead of it: along the maneuver's plane, or along the vehicle's nose where `y_m`
+    /// is given.
     pub x_m: (f64, f64),
+    /// To the right of the start (negative) and to the left of it, seen along the nose; `None` where sideways space is no
+    /// matter.
+    pub y_m: Option<(f64, f64)>,
     /// Below the start (negative: the floor) and above it.
     pub z_m: (f64, f64),
 }
@@ -140,11 +146,21 @@ impl Extent {
     }
 
     /// Whether path and catch distance fit.
-    fn check(&self, room: &Room) -> Result<(), MissionError> {
+    fn check(&self, room: &Room, heading_rad: f64) -> Result<(), MissionError> {
         let catch = self.catch_distance_m();
+        let seen_along = |part: f64| {
+            let (a, b) = (self.x_m.0 * part, self.x_m.1 * part);
+            (a.min(b), a.max(b))
+        };
+        let (sin, cos) = heading_rad.sin_cos();
+        let (x_m, y_m) =
+            if room.y_m.is_some() { (seen_along(cos), seen_along(sin)) } else { (self.x_m, (0.0, 0.0)) };
+        let y_free = room.y_m.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let sides = [
-            ("behind", -room.x_m.0, -self.x_m.0),
-            ("ahead", room.x_m.1, self.x_m.1),
+            ("behind", -room.x_m.0, -x_m.0),
+            ("ahead of", room.x_m.1, x_m.1),
+            ("to the right of", -y_free.0, -y_m.0),
+            ("to the left of", y_free.1, y_m.1),
             ("below", -room.z_m.0, -self.z_m.0),
             ("above", room.z_m.1, self.z_m.1),
         ];
@@ -244,7 +260,8 @@ pub enum MissionError {
     },
     /// The room's numbers are in the wrong order.
     #[error(
-        "the room is empty: give XMIN,XMAX,ZMIN,ZMAX with XMIN below zero below XMAX and ZMIN below zero below ZMAX"
+        "the room is empty: give XMIN,XMAX,ZMIN,ZMAX or XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX, with each minimum below zero and each maximum \
+         above"
     )]
     EmptyRoom,
     /// The simulated world has another gravity than planned with.
@@ -333,11 +350,15 @@ pub struct PlanarError {
     pub pitch_rate_radps: f64,
 }
 
+/// Rate of turn in the plane of a heading in the body frame, rad/s.
+pub fn rate_in_plane([roll, pitch, _]: [f64; 3], heading_rad: f64) -> f64 {
+    pitch * heading_rad.cos() - roll * heading_rad.sin()
+}
+
 impl PlanarError {
-    fn new(difference: State<f64>, truth: &Truth, planned_rate_radps: f64) -> Self {
+    fn new(difference: State<f64>, truth: &Truth, planned_rate_radps: f64, heading_rad: f64) -> Self {
         let State { x, vx, z, vz, theta } = difference;
-        let [_, pitch_rate_radps, _] = truth.rates_radps;
-        let pitch_rate_radps = pitch_rate_radps - planned_rate_radps;
+        let pitch_rate_radps = rate_in_plane(truth.rates_radps, heading_rad) - planned_rate_radps;
         Self { x_m: x, vx_mps: vx, z_m: z, vz_mps: vz, theta_rad: theta, pitch_rate_radps }
     }
 }
@@ -348,7 +369,9 @@ impl Flown {
         let truth = self.trace.start.as_ref()?;
         let planned = self.prepared.table.start.cast::<f64>();
         let origin = State { x: planned.x, z: planned.z, ..State::origin() };
-        Some(PlanarError::new(truth.planar(self.heading_rad()).minus(planned.minus(origin)), truth, 0.0))
+        let heading_rad = self.heading_rad();
+        let difference = truth.planar(heading_rad).minus(planned.minus(origin));
+        Some(PlanarError::new(difference, truth, 0.0, heading_rad))
     }
 
     /// Truth when the table's time had passed less the planned end, positions relative to the true start.
@@ -369,7 +392,7 @@ impl Flown {
             vz: flown.vz - planned.vz,
             theta: flown.theta - counted - planned.theta,
         };
-        Some(PlanarError::new(relative, end, self.final_rate_radps()))
+        Some(PlanarError::new(relative, end, self.final_rate_radps(), self.heading_rad()))
     }
 
     /// How it went, in one word: that of [`FlightResult::outcome`], `lost` for a flight that failed, `crashed` where the
@@ -410,7 +433,7 @@ impl Flown {
         f64::from(plan.integrals((end_s - step_s).max(0.0), end_s).0 / step_s.min(end_s))
     }
 
-    /// Heading of the maneuver's plane, rad.
+    /// Heading of the maneuver's plane, rad from the world's x axis, where the nose points.
     pub fn heading_rad(&self) -> f64 {
         f64::from(self.prepared.table.heading_rad)
     }
@@ -435,12 +458,12 @@ pub const PROTOCOL: u8 = PROTOCOL_VERSION;
 pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, MissionError> {
     let config = VehicleConfig::REFERENCE;
     let (table, solution) = match source {
-        Source::Solve { to, limits, turns } => {
+        Source::Solve { to, limits, turns, heading_rad } => {
             // The solver takes limits that cannot sink; a vehicle that must hover first cannot.
             limits.validate()?;
             let request = Request { from: State::origin(), to: *to, limits: *limits, turns: *turns };
             let solution = solve(&request)?;
-            (pack(&solution.extremal, config.hash(), 0.0)?, Some(solution))
+            (pack(&solution.extremal, config.hash(), *heading_rad)?, Some(solution))
         }
         Source::Table(bytes) => (ManeuverTable::decode(bytes)?, None),
     };
@@ -453,10 +476,11 @@ pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, Mission
     let length = table.encode(&mut buffer)?;
     let extent = Extent::of(&Plan::new(&table));
     if let Some(room) = room {
-        if !(room.x_m.0 < 0.0 && room.x_m.1 > 0.0 && room.z_m.0 < 0.0 && room.z_m.1 > 0.0) {
+        let holds_the_start = |(low, high): (f64, f64)| low < 0.0 && high > 0.0;
+        if ![Some(room.x_m), room.y_m, Some(room.z_m)].into_iter().flatten().all(holds_the_start) {
             return Err(MissionError::EmptyRoom);
         }
-        extent.check(room)?;
+        extent.check(room, f64::from(table.heading_rad))?;
     }
     Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent })
 }

@@ -178,7 +178,12 @@ fn spread(latencies: impl Iterator<Item = u32>) -> [u32; 4] {
 
 #[test]
 fn the_motors_have_their_frame_on_time_with_a_saturated_link() {
-    let source = Source::Solve { to: State::at_rest(2.0, 0.0), limits: Limits::TABLE_I, turns: Turns::Any };
+    let source = Source::Solve {
+        to: State::at_rest(2.0, 0.0),
+        limits: Limits::TABLE_I,
+        turns: Turns::Any,
+        heading_rad: 0.0,
+    };
     let plant = PlantChoice::from_argument("nominal").expect("a plant");
     let prepared = prepare(&source, None).expect("a maneuver");
     let scene = Scene {

@@ -594,10 +594,15 @@ fn every_axis_has_one_sign_from_end_to_end() {
     }
 }
 
-/// A maneuver in +x moves along the heading that the table states, whichever it is.
+/// Rate of turn in the plane of a heading, by the right-hand rule about the axis to its left.
+fn in_plane([roll, pitch, _]: [f64; 3], heading: f64) -> f64 {
+    pitch * heading.cos() - roll * heading.sin()
+}
+
+/// A maneuver in +x moves along the heading that the table states, whichever it is, and the vehicle does not yaw there.
 #[test]
 fn a_maneuver_goes_where_its_heading_points() {
-    for heading_rad in [0.0f32, 1.0, -2.5] {
+    for heading_rad in [0.0f32, 1.0, -2.5, -2.356_194_5, 1.570_796_4] {
         for parameters in [nominal(), VehicleParameters::ideal()] {
             let mut table = table_of("horizontal_3");
             table.heading_rad = heading_rad;
@@ -611,7 +616,7 @@ fn a_maneuver_goes_where_its_heading_points() {
             let along = moved[0] * heading.cos() + moved[1] * heading.sin();
             let across = moved[1] * heading.cos() - moved[0] * heading.sin();
             assert!((along - 3.0).abs() < 0.8 && across.abs() < 0.5, "{heading}: {moved:?}");
-            // Nose down first, and the gyro saw it as +ω_y.
+            // Tipped towards the heading first, and the gyro saw it about the axis to the left of it.
             let began = trace.start_ns.expect("it began");
             let early: Vec<&FlightSample> = trace
                 .samples
@@ -620,15 +625,21 @@ fn a_maneuver_goes_where_its_heading_points() {
                 .collect();
             assert!(!early.is_empty());
             for s in early {
-                assert!(s.setpoint_radps[1] > 0.0 || s.truth.planar.theta > 0.3, "{s:?}");
+                let asked = in_plane(s.setpoint_radps.map(f64::from), heading);
+                assert!(asked > 0.0 || s.truth.planar.theta > 0.3, "{s:?}");
                 assert!(s.truth.planar.theta > 0.1, "{s:?}");
             }
-            let record: f32 = result
+            let record: f64 = result
                 .record
                 .iter()
                 .take(120)
-                .filter_map(|t| t.gyro_radps.map(|g| g[1] * f32::from(t.interval_us) * 1e-6))
+                .filter_map(|t| {
+                    t.gyro_radps
+                        .map(|g| in_plane(g.map(f64::from), heading) * f64::from(t.interval_us) * 1e-6)
+                })
                 .sum();
+            // The nose has stayed where it was.
+            assert!(start.heading_rad().abs() < 0.02, "{}", start.heading_rad());
             assert!(record > 0.5, "{record} rad by the gyro");
         }
     }

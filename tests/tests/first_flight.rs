@@ -20,7 +20,12 @@ impl Witness for Phases {
 
 fn mission(x: f64, z: f64, plant: &str, seed: u64) -> Mission {
     Mission {
-        source: Source::Solve { to: State::at_rest(x, z), limits: Limits::TABLE_I, turns: Turns::Any },
+        source: Source::Solve {
+            to: State::at_rest(x, z),
+            limits: Limits::TABLE_I,
+            turns: Turns::Any,
+            heading_rad: 0.0,
+        },
         plant: PlantChoice::from_argument(plant).expect("a plant"),
         seed,
         room: None,
@@ -88,6 +93,7 @@ fn flights_stay_within_the_room_that_they_ask_for() {
             let catch = extent.catch_distance_m();
             mission.room = Some(Room {
                 x_m: (extent.x_m.0 - catch, extent.x_m.1 + catch),
+                y_m: None,
                 z_m: (extent.z_m.0 - catch, extent.z_m.1 + catch),
             });
             let flown = flown(&mission);

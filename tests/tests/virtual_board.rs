@@ -35,7 +35,8 @@ impl Witness for Unseen {
 }
 
 fn mission(x_m: f64, z_m: f64, turns: Turns, plant: &str, seed: u64) -> (Mission, Prepared) {
-    let source = Source::Solve { to: State::at_rest(x_m, z_m), limits: Limits::TABLE_I, turns };
+    let source =
+        Source::Solve { to: State::at_rest(x_m, z_m), limits: Limits::TABLE_I, turns, heading_rad: 0.0 };
     let plant = PlantChoice::from_argument(plant).expect("a plant that is built in");
     let prepared = prepare(&source, None).expect("a maneuver that can be flown");
     (Mission { source, plant, seed, room: None }, prepared)

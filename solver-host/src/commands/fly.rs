@@ -12,23 +12,24 @@ use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
 use super::limits::PlanArguments;
+use super::numbers::{self, Displacement};
+use super::print;
 use super::progress::Progress;
 use super::solve::write_bytes;
 use super::table::read_bytes;
-use super::{numbers, print};
 use super::{recording, summary};
 
 /// Arguments of `mintime fly`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  mintime fly --to 5,5\n  mintime fly --to 0,3 --plant ideal --report flip.png\n  \
-                        mintime fly --to -3,4 --room -8,4,-4,9 --json"
+                        mintime fly --to -3,4 --room -8,4,-4,9 --json\n  mintime fly --to 3,4,5"
 )]
 pub(crate) struct Fly {
-    /// Displacement to fly, m: along the plane and up
-    #[arg(long, value_name = "X,Z", value_parser = numbers::list::<2>, allow_hyphen_values = true,
+    /// Displacement to fly, m: ahead and up, or ahead, to the left and up. The vehicle need not yaw
+    #[arg(long, value_name = "X,Z|X,Y,Z", value_parser = numbers::displacement, allow_hyphen_values = true,
           required_unless_present = "table")]
-    to: Option<[f64; 2]>,
+    to: Option<Displacement>,
     /// Fly this table file instead of computing a maneuver
     #[arg(long, value_name = "FILE", conflicts_with_all = ["to", "thrust_per_mass", "max_body_rate", "turns"])]
     table: Option<PathBuf>,
@@ -51,9 +52,9 @@ pub(crate) struct Fly {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Free space around the start, m; ZMIN is the floor. The planned path and the distance to catch the vehicle must
-    /// fit
-    #[arg(long, value_name = "XMIN,XMAX,ZMIN,ZMAX", value_parser = numbers::list::<4>, allow_hyphen_values = true)]
-    room: Option<[f64; 4]>,
+    /// fit. Four numbers are along the maneuver's plane and up, six along the vehicle's nose, to its left and up
+    #[arg(long, value_name = "XMIN,XMAX[,YMIN,YMAX],ZMIN,ZMAX", value_parser = numbers::room, allow_hyphen_values = true)]
+    room: Option<Room>,
     /// Where to write the flight log (MCAP; opens in Foxglove)
     #[arg(long, value_name = "FILE.mcap", default_value = "flight.mcap")]
     log: PathBuf,
@@ -96,12 +97,13 @@ impl Fly {
         let source = match (&self.table, self.to) {
             (Some(path), _) => Source::Table(read_bytes(path)?),
             (None, to) => {
-                let [x, z] = to.unwrap_or_default();
+                let Displacement { along_m, up_m, heading_rad } = to.unwrap_or_default();
                 let limits = self.plan.limits(GRAVITY_MPS2);
-                Source::Solve { to: State::at_rest(x, z), limits, turns: self.plan.turns }
+                let (to, turns) = (State::at_rest(along_m, up_m), self.plan.turns);
+                Source::Solve { to, limits, turns, heading_rad }
             }
         };
-        let room = self.room.map(|[x0, x1, z0, z1]| Room { x_m: (x0, x1), z_m: (z0, z1) });
+        let room = self.room;
         Ok(Mission { source, plant: PlantChoice::from_argument(&self.plant)?, seed: self.seed, room })
     }
 

@@ -1,7 +1,7 @@
 //! What a flown mission leaves in files: the log and the picture.
 
 use mintime::flight_log::{EventLevel, FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
-use mintime::mission::{Flown, Mission, Prepared};
+use mintime::mission::{Flown, Mission, Prepared, rate_in_plane};
 use mintime::report::{FlownSample, ReportData};
 use mintime_shared::model::{RateMode, Segment, State, ThrustLevel};
 use mintime_shared::replay::Plan;
@@ -112,7 +112,6 @@ fn verdict(flown: &Flown) -> LogEvent {
 /// What the picture shows.
 pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     let table = &flown.prepared.table;
-    let end = table.end;
     let duration_s = f64::from(table.duration_s());
     let mut facts = vec![
         ("T".to_owned(), format!("{duration_s:.4} s")),
@@ -128,11 +127,7 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     }
     let outcome = flown.outcome();
     ReportData {
-        title: format!(
-            "Minimum-time maneuver to x = {} m, z = {} m",
-            end.x - table.start.x,
-            end.z - table.start.z
-        ),
+        title: format!("Minimum-time maneuver to {}", target(&flown.prepared)),
         subtitle: [Some(format!(
             "T = {duration_s:.4} s; flown on the hosted vehicle, plant {}, seed {}: {outcome}",
             mission.plant.name, mission.seed
@@ -177,12 +172,27 @@ fn flown_samples(flown: &Flown, duration_s: f64) -> Vec<FlownSample> {
                     theta: p.theta - counted,
                     ..p
                 },
-                rate_radps: s.truth.body_rates_radps[1],
+                rate_radps: rate_in_plane(s.truth.body_rates_radps, flown.heading_rad()),
                 thrust_mps2: s.truth.thrust_mps2,
                 phase: s.phase.clone(),
             }
         })
         .collect()
+}
+
+/// Where a maneuver leads, from its start: in its plane, and in three dimensions where that is not straight ahead.
+pub(crate) fn target(prepared: &Prepared) -> String {
+    let table = &prepared.table;
+    let (x, z) = (table.end.x - table.start.x, table.end.z - table.start.z);
+    if table.heading_rad == 0.0 {
+        return format!("x = {x} m, z = {z} m");
+    }
+    let (sin, cos) = f64::from(table.heading_rad).sin_cos();
+    let (ahead, left) = (f64::from(x) * cos, f64::from(x) * sin);
+    format!(
+        "x = {ahead:.3} m, y = {left:.3} m, z = {z} m (heading {:.1}°)",
+        f64::from(table.heading_rad).to_degrees()
+    )
 }
 
 /// The structure of a table in one line: `+max 0.051 s, singular max 0.724 s, ...`.

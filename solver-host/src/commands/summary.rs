@@ -5,7 +5,7 @@ use std::path::Path;
 use mintime::mission::{Flown, PROTOCOL, PlanarError};
 use serde_json::{Value, json};
 
-use super::recording::structure;
+use super::recording::{structure, target};
 
 /// The JSON answer. Field names are part of the interface.
 pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> Value {
@@ -16,6 +16,7 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
         "maneuver": {
             "duration_s": f64::from(flown.prepared.table.duration_s()),
             "turns": flown.turns(),
+            "heading_rad": flown.heading_rad(),
             "table_bytes": flown.prepared.bytes.len(),
             "verified": flown.prepared.solution.as_ref().is_some_and(|s| s.certificate.verified),
         },
@@ -58,9 +59,8 @@ pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String
     let extent = &prepared.extent;
     let mut lines = vec![
         format!(
-            "maneuver   x = {} m, z = {} m: T = {:.4} s, turns {}, {}",
-            table.end.x - table.start.x,
-            table.end.z - table.start.z,
+            "maneuver   {}: T = {:.4} s, turns {}, {}",
+            target(prepared),
             table.duration_s(),
             flown.turns(),
             if prepared.solution.is_some() {

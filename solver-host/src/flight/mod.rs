@@ -44,6 +44,8 @@ const HOVER_SETTLE_S: f64 = 2.5;
 const GATE_TIMEOUT_S: f64 = 20.0;
 /// At the gate the vehicle is where it should be within this, m.
 const GATE_POSITION_M: f64 = 0.05;
+/// Where the nose points all flight long, rad from world x: maneuvers go in any direction without yaw.
+const HEADING_RAD: f64 = 0.0;
 /// Speed of take-off, m/s.
 const CLIMB_MPS: f64 = 1.0;
 /// Speed of landing, m/s, ...
@@ -155,10 +157,9 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         self.level();
 
         self.enter(Phase::TakeOff);
-        let heading_rad = f64::from(plan.table.heading_rad);
-        self.move_to(ground, plan.start_m, heading_rad, CLIMB_MPS)?;
+        self.move_to(ground, plan.start_m, CLIMB_MPS)?;
         self.enter(Phase::Hover);
-        let mut reason = self.hover_to_gate(&Reference::hold(plan.start_m, heading_rad))?;
+        let mut reason = self.hover_to_gate(&Reference::hold(plan.start_m, HEADING_RAD))?;
         let mut outcome = Outcome::NotTriggered;
         let mut flown_duration_s = 0.0;
         if reason.is_none() {
@@ -179,7 +180,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
                 counts = (t.maneuver_ticks, t.maneuver_missed_ticks);
             }
             self.enter(Phase::Catch);
-            let target = Reference::hold(plan.end_m(), heading_rad);
+            let target = Reference::hold(plan.end_m(), HEADING_RAD);
             if !self.catch(&target)? && outcome == Outcome::Completed {
                 outcome = Outcome::NotCaught;
                 reason = Some(format!(
@@ -189,7 +190,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         }
         let (ticks, missed_ticks) = counts;
         self.enter(Phase::Land);
-        self.land(ground.z, heading_rad)?;
+        self.land(ground.z)?;
         self.enter(Phase::Download);
         let record = if outcome == Outcome::NotTriggered { Vec::new() } else { self.download()? };
         if (record.len() as u32) < ticks {
@@ -217,7 +218,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         if let Some((plan, since_s)) = &self.playing {
             let elapsed = (self.now_s - since_s) as f32;
             let (angle, impulse) = plan.integrals(elapsed, elapsed + 1e-3);
-            let planned = Setpoint { rates_radps: [0.0, angle * 1e3, 0.0], thrust_mps2: impulse * 1e3 };
+            let rates_radps = plan.plane().turn(angle * 1e3);
+            let planned = Setpoint { rates_radps, thrust_mps2: impulse * 1e3 };
             if elapsed < plan.duration_s() {
                 self.estimator.note_command(self.now_s, planned);
             }
@@ -344,13 +346,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
     }
 
     /// Moves the reference in a straight line at a speed.
-    fn move_to(
-        &mut self,
-        from: Vector3<f64>,
-        to: Vector3<f64>,
-        heading_rad: f64,
-        speed_mps: f64,
-    ) -> Result<(), FlightError> {
+    fn move_to(&mut self, from: Vector3<f64>, to: Vector3<f64>, speed_mps: f64) -> Result<(), FlightError> {
         let way = to - from;
         let duration_s = way.norm() / speed_mps;
         let velocity_mps = way.cap_magnitude(speed_mps);
@@ -358,9 +354,10 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             let part = ((self.now_s - since) / duration_s).min(1.0);
             if part >= 1.0 || duration_s == 0.0 {
-                self.reference = Some(Reference::hold(to, heading_rad));
+                self.reference = Some(Reference::hold(to, HEADING_RAD));
                 return Ok(());
             }
+            let heading_rad = HEADING_RAD;
             self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
             let estimate =
                 self.watch("flying", &[FlightState::Armed, FlightState::Flying, FlightState::Disarmed])?;
@@ -423,8 +420,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         self.calmness = Calmness::Agile;
         // The answer came within the tick that began it, and one pose ago.
         self.playing = Some((played, self.now_s - 0.005));
-        let heading_rad = f64::from(plan.table.heading_rad);
-        self.reference = Some(Reference::hold(plan.end_m(), heading_rad));
+        self.reference = Some(Reference::hold(plan.end_m(), HEADING_RAD));
         let since = self.now_s;
         let mut seen = false;
         loop {
@@ -471,11 +467,11 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         Ok(false)
     }
 
-    fn land(&mut self, ground_z_m: f64, heading_rad: f64) -> Result<(), FlightError> {
+    fn land(&mut self, ground_z_m: f64) -> Result<(), FlightError> {
         let here = self.step()?.position_m;
         let above = |height: f64| Vector3::new(here.x, here.y, ground_z_m + height);
         if here.z - ground_z_m > 1.0 {
-            self.move_to(here, above(1.0), heading_rad, DESCENT_MPS)?;
+            self.move_to(here, above(1.0), DESCENT_MPS)?;
         }
         let top = above((here.z - ground_z_m).clamp(0.0, 1.0));
         // The reference goes below the ground; the vehicle cannot follow, which is how it is known to stand.
@@ -483,6 +479,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         while self.now_s - since < LAND_TIMEOUT_S {
             let depth = TOUCH_DOWN_MPS * (self.now_s - since);
             let velocity_mps = Vector3::new(0.0, 0.0, -TOUCH_DOWN_MPS);
+            let heading_rad = HEADING_RAD;
             self.reference =
                 Some(Reference { position_m: top - Vector3::z() * depth, velocity_mps, heading_rad });
             let estimate = self.watch("flying", &[FlightState::Flying])?;

@@ -40,7 +40,7 @@ pub struct Scene<'a> {
     pub seed: u64,
     /// The ground's height over the origin of the world, m; the vehicle stands on it, level and at rest.
     pub ground_z_m: f64,
-    /// Heading of the maneuver's plane, rad.
+    /// Heading of the maneuver's plane, rad. The vehicle's nose points along the world's x axis.
     pub heading_rad: f64,
     /// Duration after whose passing truth is noted, s.
     pub maneuver_s: f64,
@@ -70,9 +70,8 @@ pub(super) struct World {
 
 impl World {
     pub(super) fn new(scene: &Scene<'_>) -> Result<Self, SimulatorError> {
-        let start = Start { heading_rad: scene.heading_rad, ..Start::default() };
         Ok(Self {
-            simulator: Simulator::new(scene.parameters, scene.seed, scene.ground_z_m, start)?,
+            simulator: Simulator::new(scene.parameters, scene.seed, scene.ground_z_m, Start::default())?,
             heading_rad: scene.heading_rad,
             maneuver_ns: (scene.maneuver_s * 1e9).round() as u64,
             phase: Phase::default(),

@@ -1,0 +1,43 @@
+//! The event log: the last [`EVENTS`] things that happened, numbered from 1.
+
+use heapless::Deque;
+use mintime_shared::messages::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening};
+
+/// The ring.
+#[derive(Debug, Default)]
+pub(crate) struct EventLog {
+    ring: Deque<Event, EVENTS>,
+    /// Number of the newest.
+    newest: u32,
+}
+
+impl EventLog {
+    pub(crate) const fn new() -> Self {
+        Self { ring: Deque::new(), newest: 0 }
+    }
+
+    /// Adds an event; the oldest makes room.
+    pub(crate) fn push(&mut self, now_us: u64, what: Happening) {
+        if self.ring.is_full() {
+            self.ring.pop_front();
+        }
+        // 49 days, then it starts again.
+        let _ = self.ring.push_back(Event { time_ms: (now_us / 1000) as u32, what });
+        self.newest = self.newest.saturating_add(1);
+    }
+
+    /// Number of the newest event; 0 for none.
+    pub(crate) fn newest(&self) -> u32 {
+        self.newest
+    }
+
+    /// Events from this number on, as far as they are remembered.
+    pub(crate) fn chunk(&self, first: u32) -> EventChunk {
+        // The ring is far shorter than 2³².
+        let oldest = (self.newest + 1).saturating_sub(self.ring.len() as u32);
+        let first = first.max(oldest);
+        let skip = first.saturating_sub(oldest) as usize;
+        let events = self.ring.iter().skip(skip).take(EVENTS_PER_CHUNK).copied().collect();
+        EventChunk { first, newest: self.newest, events }
+    }
+}

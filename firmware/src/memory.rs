@@ -1,0 +1,141 @@
+//! What the flight logic keeps, restores and calibrates: all of it with the motors off.
+
+use mintime_shared::messages::{
+    FlightState, Happening, Incident, IncidentCause, Refusal, Reply, TableName,
+};
+use mintime_shared::seal::PairingKey;
+use mintime_shared::settings::Settings;
+
+use crate::config::StoreStatus;
+use crate::flight::FlightLogic;
+use crate::keeping::{self, Job, Kept, Key, Value};
+use crate::recorder::RecordMemory;
+
+impl<M: RecordMemory> FlightLogic<M> {
+    /// Hands back what was kept under a key. Returns whether it could be used.
+    pub fn restore(&mut self, key: Key, value: &[u8]) -> bool {
+        match keeping::read(key, value) {
+            Some(Kept::Vehicle(config)) => {
+                // A table that was checked for another vehicle is none for this one.
+                if !self.known || self.config != config {
+                    self.tables.forget();
+                    self.player.unload();
+                }
+                self.config = config;
+                self.known = true;
+            }
+            Some(Kept::Settings(settings)) => {
+                self.settings = settings;
+            }
+            Some(Kept::Pairing(key)) => self.pairing = Some(key),
+            Some(Kept::Table(place, slot)) => {
+                if let Some(there) = self.slots.get_mut(place) {
+                    *there = Some(slot);
+                }
+            }
+            None => return false,
+        }
+        true
+    }
+
+    /// Something happened that a person must know of. The gravest of what waits stays in sight.
+    pub fn report(&mut self, cause: IncidentCause) {
+        self.incidents = self.incidents.wrapping_add(1).max(1);
+        self.incident = Some(Incident { number: self.incidents, cause });
+        self.events.push(self.last_us.unwrap_or(0), Happening::Incident(cause));
+    }
+
+    /// What waits to be acknowledged.
+    pub fn incident(&self) -> Option<Incident> {
+        self.incident
+    }
+
+    /// The settings in force.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The key that requests must be sealed with.
+    pub fn pairing(&self) -> Option<&PairingKey> {
+        self.pairing.as_ref()
+    }
+
+    /// What the board shall write now.
+    pub fn job(&self) -> Option<&Job> {
+        self.keeper.job().filter(|_| !self.state().motors_on())
+    }
+
+    /// Whether flash is being written, or about to be.
+    pub(crate) fn is_storing(&self) -> bool {
+        self.store.busy || self.keeper.job().is_some()
+    }
+
+    /// Where a table of this name lies, or may.
+    pub(crate) fn place_for(&self, name: &TableName) -> Option<usize> {
+        let named = self.slots.iter().position(|s| s.as_ref().is_some_and(|s| s.listing.name == *name));
+        named.or_else(|| self.slots.iter().position(Option::is_none))
+    }
+
+    /// Begins to keep a value, or says how far that is.
+    pub(crate) fn keep(&mut self, key: Key, value: Option<Value>, now_us: u64) -> Result<Reply, Refusal> {
+        if self.keeper.take_failure(key) {
+            return Err(Refusal::StoreFailed);
+        }
+        if self.is_storing() {
+            return Ok(Reply::Pending);
+        }
+        // Everything that is kept fits.
+        let value = value.ok_or(Refusal::OutOfRange)?;
+        if self.store.present {
+            self.keeper.begin(key, value);
+            return Ok(Reply::Pending);
+        }
+        self.take_into_force(key, &value, now_us);
+        Ok(Reply::Done)
+    }
+
+    fn take_into_force(&mut self, key: Key, value: &Value, now_us: u64) {
+        self.events.push(now_us, Happening::Stored);
+        if !value.is_empty() {
+            // It was written by this firmware a moment ago.
+            let _ = self.restore(key, value);
+            return;
+        }
+        match key {
+            Key::Pairing => self.pairing = None,
+            Key::Table(place) => {
+                if let Some(there) = self.slots.get_mut(usize::from(place)) {
+                    *there = None;
+                }
+            }
+            Key::Vehicle | Key::Settings => {}
+        }
+    }
+
+    /// Looks after the job under way.
+    pub(crate) fn note_store(&mut self, store: StoreStatus) {
+        self.store = store;
+        if let Some(job) = self.keeper.finish(store.finished, store.failed) {
+            self.take_into_force(job.key, &job.value, self.last_us.unwrap_or(0));
+        }
+    }
+
+    /// Learns the gyro's bias anew; once per request.
+    pub(crate) fn calibrate(&mut self, number: u16) -> Result<Reply, Refusal> {
+        match self.state() {
+            FlightState::Disarmed => {
+                if self.calibrated_by != Some(number) {
+                    self.calibrated_by = Some(number);
+                    self.gyro.forget_bias();
+                    return Ok(Reply::Pending);
+                }
+                Ok(Reply::Done)
+            }
+            FlightState::Calibrating => {
+                self.calibrated_by = Some(number);
+                Ok(Reply::Pending)
+            }
+            state => Err(Refusal::WrongState(state)),
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! What a vehicle flies that nobody flies: upright, then down, for a bounded time.
+//!
+//! It turns upright by its own attitude estimate and sinks. How fast it sinks is not left to the thrust map, which may be
+//! a tenth off: the accelerometer measures thrust per mass whatever the tilt, so the thrust asked for is adjusted until
+//! the specific force is what was meant. Where less and less thrust leaves the specific force as it is, something else
+//! carries the vehicle: it stands.
+
+use mintime_shared::messages::Setpoint;
+use mintime_shared::model::GRAVITY_MPS2;
+use mintime_shared::real::{at_least, at_most};
+
+use crate::config::{
+    RECOVERY_FORCE, RECOVERY_GAIN_PER_S, RECOVERY_LOW_THRUST_MPS2, RECOVERY_RANGE, RECOVERY_STANDS, RECOVERY_UPRIGHT_COS,
+};
+
+/// A recovery under way.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Recovery {
+    /// Thrust asked for, m/s², before its bounds.
+    thrust_mps2: f32,
+    /// The host's last thrust, m/s²: never more than that.
+    bound_mps2: f32,
+}
+
+impl Recovery {
+    /// Specific force to sink with, m/s².
+    const TARGET_MPS2: f32 = RECOVERY_FORCE * GRAVITY_MPS2 as f32;
+
+    pub(crate) const fn new() -> Self {
+        Self { thrust_mps2: 0.0, bound_mps2: 0.0 }
+    }
+
+    /// Begins. `asked_mps2` is what the host asked for last: a vehicle that stood on the ground stays there.
+    pub(crate) fn start(&mut self, asked_mps2: f32) {
+        self.thrust_mps2 = Self::TARGET_MPS2;
+        self.bound_mps2 = asked_mps2;
+    }
+
+    /// What to fly until the next tick. `up` is the cosine of the tilt, `level_radps` the rates that right the vehicle,
+    /// `force_mps2` the specific force along its up axis where it is known.
+    pub(crate) fn command(&mut self, up: f32, level_radps: [f32; 3], force_mps2: Option<f32>, dt_s: f32) -> Setpoint {
+        if up < RECOVERY_UPRIGHT_COS {
+            // Thrust would push it aside, or down.
+            let thrust_mps2 = at_most(RECOVERY_LOW_THRUST_MPS2, self.bound_mps2);
+            return Setpoint { rates_radps: level_radps, thrust_mps2 };
+        }
+        if let Some(force) = force_mps2.filter(|f| f.is_finite()) {
+            self.thrust_mps2 -= RECOVERY_GAIN_PER_S * dt_s * (force - Self::TARGET_MPS2);
+            let (low, high) = RECOVERY_RANGE;
+            self.thrust_mps2 = at_most(at_least(self.thrust_mps2, low * Self::TARGET_MPS2), high * Self::TARGET_MPS2);
+        }
+        // Where it leans, its weight needs more.
+        let thrust_mps2 = at_most(self.thrust_mps2 / at_least(up, RECOVERY_UPRIGHT_COS), self.bound_mps2);
+        Setpoint { rates_radps: level_radps, thrust_mps2 }
+    }
+
+    /// Whether it stands.
+    pub(crate) fn stands(&self) -> bool {
+        self.thrust_mps2 <= RECOVERY_STANDS * Self::TARGET_MPS2
+    }
+}

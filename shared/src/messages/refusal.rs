@@ -1,0 +1,125 @@
+//! Why a request was not carried out.
+
+use serde::{Deserialize, Serialize};
+
+use super::{ArmingBlock, FlightState};
+use crate::settings::SettingsError;
+use crate::table::TableError;
+use crate::vehicle::VehicleError;
+
+/// Why a request was not carried out. Nothing has changed then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
+pub enum Refusal {
+    /// Another protocol version.
+    #[error(
+        "vehicle and host speak different protocol versions: flash the firmware of this version of mintime"
+    )]
+    ProtocolVersion,
+    /// Not while the motors turn.
+    #[error("refused while the motors turn: disarm first")]
+    MotorsOn,
+    /// Not in this state.
+    #[error("refused in the state {0:?}")]
+    WrongState(FlightState),
+    /// Not armed, for these reasons: bits of [`ArmingBlock`].
+    #[error("arming is refused: {}", ArmingBlock(*.0))]
+    ArmingBlocked(u32),
+    /// The table is unusable.
+    #[error("the table is refused: {0}")]
+    Table(TableError),
+    /// Nothing was staged, or something else.
+    #[error("the staged table is not the one named: upload it again")]
+    NotStaged,
+    /// No table, or another one, is committed.
+    #[error("the committed table is not the one named: upload and commit it first")]
+    NotCommitted,
+    /// Setpoints are not fresh, so nobody would catch the vehicle after the maneuver.
+    #[error("trigger refused without fresh setpoints: nobody would catch the vehicle after the maneuver")]
+    StaleSetpoint,
+    /// Too little charge left for a maneuver.
+    #[error("trigger refused: the battery is low or its voltage unknown, land and charge it")]
+    BatteryLow,
+    /// A number is NaN or infinite.
+    #[error("a number is not finite: send finite body rates and thrust")]
+    NotFinite,
+    /// No such record.
+    #[error("there is no record at that index")]
+    NoRecord,
+    /// A number beyond what any vehicle does.
+    #[error("a number is out of range: body rates to 35 rad/s, thrust 0 to 100 m/s², motor tests to 15 % and 2 s")]
+    OutOfRange,
+    /// The battery cannot give the table's thrust at its present voltage.
+    #[error("trigger refused: at its present voltage the battery cannot give the planned thrust, charge it")]
+    BatteryThrust,
+    /// The vehicle does not stand or hover as the table's start wants it.
+    #[error("trigger refused outside the start gate: the vehicle's tilt or rates are not those of the table's start")]
+    OutsideGate,
+    /// A chunk that does not join the ones before.
+    #[error("a chunk is missing before this one: go on at byte {expected}")]
+    Gap {
+        /// First byte that is missing.
+        expected: u16,
+    },
+    /// The vehicle file is unusable.
+    #[error("the vehicle file is refused: {0}")]
+    Vehicle(VehicleError),
+    /// The settings are unusable.
+    #[error("the settings are refused: {0}")]
+    Settings(SettingsError),
+    /// No table of that name.
+    #[error("no table of that name is stored: list them with `mintime vehicle PORT tables`")]
+    NoSuchTable,
+    /// No room for another table.
+    #[error("the vehicle stores eight tables and all places are taken: delete one first")]
+    StoreFull,
+    /// Flash could not be written.
+    #[error("the vehicle's flash could not be written: it may be worn out, do not rely on what it stores")]
+    StoreFailed,
+    /// This board stores nothing.
+    #[error("this vehicle has no store: what it is told is lost when it is switched off")]
+    NoStore,
+    /// That is not the incident that waits.
+    #[error("no such incident waits: read the status again")]
+    NoSuchIncident,
+    /// The kill switch says stop, or is lost.
+    #[error("the kill switch says stop or is not heard: release it first")]
+    KillSwitch,
+    /// A pairing key is set and the message does not carry its seal, or an old one.
+    #[error("the vehicle is paired and this message is not sealed with its key: give the key with --key")]
+    NotSealed,
+    /// A guided calibration did not work out.
+    #[error("the calibration failed: {0}")]
+    Calibration(CalibrationError),
+    /// Setpoints do not act on a vehicle armed for a motor test, nor motor tests on one armed for flight.
+    #[error("armed for something else: disarm, then arm for this")]
+    OtherPurpose,
+}
+
+/// Why a guided turn says nothing of the gyro's scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
+pub enum CalibrationError {
+    /// It did not rest at the beginning or the end.
+    #[error("the vehicle did not rest before and after the turn: put it down and keep it still")]
+    NotStill,
+    /// The other axes turned too.
+    #[error("the vehicle turned about other axes too: guide it along a straight edge")]
+    Wobble,
+    /// It turned the other way.
+    #[error("the vehicle turned the other way: positive turns are right-handed about the axis")]
+    Direction,
+    /// The scale that follows cannot be true.
+    #[error("the turn does not fit: more than 5 % off. Was it the stated number of whole turns?")]
+    Implausible,
+    /// It took too long.
+    #[error("the turn took too long for the gyro's drift: turn within 30 s")]
+    TooLong,
+    /// It turned faster than the gyro measures.
+    #[error("the vehicle turned faster than the gyro measures: turn slower")]
+    TooFast,
+    /// No such axis, no turns, or too many.
+    #[error("turn 1 to 10 whole turns about axis 0, 1 or 2 (forward, left, up)")]
+    Request,
+    /// Samples were missing.
+    #[error("the gyro lost samples during the turn: check its wiring")]
+    LostSamples,
+}
