@@ -26,3 +26,5 @@ pub mod port;
 #[cfg(feature = "std")]
 pub mod report;
 pub mod solver;
+#[cfg(feature = "std")]
+pub mod vehicle;

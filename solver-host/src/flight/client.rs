@@ -91,6 +91,11 @@ impl Client {
         self.key = key;
     }
 
+    /// Whether the vehicle has said which session its seals are made for.
+    pub fn knows_session(&self) -> bool {
+        self.session.is_some()
+    }
+
     /// The newest telemetry.
     pub fn telemetry(&self) -> Option<&Telemetry> {
         self.telemetry.as_ref()

@@ -14,7 +14,7 @@ mod virtual_board;
 mod world;
 
 pub use client::{Client, ClientError};
-pub use connection::{Connection, ConnectionError, Phase, Pose};
+pub use connection::{Connection, ConnectionError, Line, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
 pub use hosted::HostedVehicle;
 pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Witness};
