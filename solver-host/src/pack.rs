@@ -3,7 +3,7 @@
 use mintime_shared::model::{RateMode, Segment, State};
 use mintime_shared::motion;
 use mintime_shared::replay::{Command, Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
-use mintime_shared::table::{ArcProfile, Kind, ManeuverTable, TableError, TableHeader};
+use mintime_shared::table::{ArcProfile, Kind, LinkPolicy, ManeuverTable, TableError, TableHeader};
 
 use crate::solver::Extremal;
 
@@ -46,6 +46,7 @@ pub fn pack(extremal: &Extremal, vehicle: u32, heading_rad: f64) -> Result<Maneu
     let header = TableHeader {
         vehicle,
         kind: Kind::Extremal,
+        link: LinkPolicy::default(),
         limits: extremal.limits.cast(),
         heading_rad: heading_rad as f32,
         start: extremal.from.cast(),

@@ -58,6 +58,8 @@ struct Pending {
     working_since_s: Option<f64>,
     /// The seal was refused: an old counter that was overtaken, or another key.
     unsealed: bool,
+    /// Telemetry messages before it was asked.
+    telemetry_count: u64,
 }
 
 /// Keeps requests, answers and telemetry in order.
@@ -160,6 +162,7 @@ impl Client {
             tries: 1,
             working_since_s: None,
             unsealed: false,
+            telemetry_count: self.telemetry_count,
         });
         Ok(())
     }
@@ -237,7 +240,12 @@ impl Client {
             }
             self.repeats += 1;
             let silent = self.foreign_version.map_or(ClientError::Silent, ClientError::Version);
-            let error = if pending.unsealed { ClientError::Refused(Refusal::NotSealed) } else { silent };
+            // It talks but does not answer what is sealed: what another key has sealed is noise to it.
+            let unheard = self.key.is_some()
+                && self.session.is_some()
+                && pending.request != Request::Identify
+                && self.telemetry_count > pending.telemetry_count;
+            let error = if pending.unsealed || unheard { ClientError::Refused(Refusal::NotSealed) } else { silent };
             (pending.tries >= TRIES).then_some(error)
         };
         if let Some(error) = failure {

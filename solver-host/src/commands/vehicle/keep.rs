@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 use super::super::solve::write_bytes;
 use super::super::table::read_bytes;
-use super::{Bench, Said};
+use super::{Bench, Said, to_json};
 
 /// Arguments of `params`.
 #[derive(Args)]
@@ -47,7 +47,7 @@ impl Params {
                 settings.check()?;
                 bench.set_settings(&settings)?;
             }
-            serde_json::to_value(bench.settings()?)?
+            to_json(&bench.settings()?)?
         } else {
             let now = bench.vehicle()?;
             if let Some(vehicle) = self.wanted::<VehicleConfig>(now)? {
@@ -55,7 +55,7 @@ impl Params {
                 bench.set_vehicle(&vehicle)?;
             }
             match bench.vehicle()? {
-                Some(vehicle) => serde_json::to_value(vehicle)?,
+                Some(vehicle) => to_json(&vehicle)?,
                 None => {
                     return Err("the vehicle has no vehicle file yet: write one with `params --file FILE.json`; \
                                 docs/vehicles.md says what stands in it"
@@ -74,7 +74,7 @@ impl Params {
     fn wanted<T: Serialize + DeserializeOwned>(&self, now: Option<T>) -> Result<Option<T>, Box<dyn Error>> {
         let mut value = match &self.file {
             Some(path) => Some(read_json(path)?),
-            None => now.map(serde_json::to_value).transpose()?,
+            None => now.as_ref().map(to_json).transpose()?,
         };
         for change in &self.set {
             let (name, to) = change.split_once('=').ok_or_else(|| format!("{change}: give NAME=VALUE"))?;
@@ -118,7 +118,7 @@ impl Upload {
         }
         let kept = self.name.as_ref().map(|n| format!(", kept as {n}")).unwrap_or_default();
         let text = format!("the vehicle will fly table {checksum:#010x}, {duration_s:.4} s, at the next trigger{kept}");
-        let value = json!({ "checksum": format!("{checksum:#010x}"), "duration_s": duration_s, "name": self.name });
+        let value = json!({ "checksum": format!("{checksum:#010x}"), "duration_s": to_json(&duration_s)?, "name": self.name });
         Ok((value, text))
     }
 }

@@ -106,6 +106,11 @@ fn open(port: &str, key: Option<&std::path::Path>) -> Result<Bench, Box<dyn Erro
     Ok(Session::begin(PortLink::open(port)?, key)?)
 }
 
+/// As JSON by way of text: what is kept in 32 bits has its few digits there, and not those of its 64-bit neighbour.
+fn to_json(value: &impl serde::Serialize) -> Result<Value, serde_json::Error> {
+    serde_json::from_str(&serde_json::to_string(value)?)
+}
+
 /// Prints an answer or an error, and turns it into the exit status.
 pub(crate) fn report(as_json: bool, said: Said) -> ExitCode {
     match said {

@@ -18,9 +18,9 @@ pub(super) fn identify(bench: &mut Bench) -> Said {
         "session": id.session,
         "paired": id.paired,
         "limits": {
-            "thrust_min_mps2": id.thrust_min_mps2,
-            "thrust_max_mps2": id.thrust_max_mps2,
-            "rate_max_radps": id.rate_max_radps,
+            "thrust_min_mps2": super::to_json(&id.thrust_min_mps2)?,
+            "thrust_max_mps2": super::to_json(&id.thrust_max_mps2)?,
+            "rate_max_radps": super::to_json(&id.rate_max_radps)?,
         },
     });
     let known = if id.vehicle == 0 {
@@ -41,7 +41,7 @@ pub(super) fn identify(bench: &mut Bench) -> Said {
 
 pub(super) fn status(bench: &mut Bench) -> Said {
     let status = bench.status()?;
-    Ok((to_json(&status)?, text(&status)))
+    Ok((full(&status)?, text(&status)))
 }
 
 pub(super) fn acknowledge(bench: &mut Bench) -> Said {
@@ -60,8 +60,8 @@ fn blocks(status: &Telemetry) -> Vec<&'static str> {
 }
 
 /// All of the telemetry, and its numbers in words.
-pub(crate) fn to_json(status: &Telemetry) -> Result<Value, serde_json::Error> {
-    let mut value = serde_json::to_value(status)?;
+fn full(status: &Telemetry) -> Result<Value, serde_json::Error> {
+    let mut value = super::to_json(status)?;
     if let Some(map) = value.as_object_mut() {
         map.insert("ready_to_arm".into(), (status.arming_block == 0).into());
         map.insert("arming_blocked_by".into(), blocks(status).into());
