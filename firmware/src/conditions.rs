@@ -132,15 +132,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         calm && self.tilt_rad().is_some_and(|tilt| libm::fabsf(tilt - planned) <= GATE_TILT_RAD)
     }
 
-    /// World-up in body axes; all zeros while unknown.
-    pub(crate) fn up_body(&self) -> [f32; 3] {
-        self.accel_mps2.unwrap_or_default().map(|a| a / 9.81)
-    }
-
-    /// Tilt, rad; `None` while unknown.
-    pub(crate) fn tilt_rad(&self) -> Option<f32> {
-        let [x, y, z] = self.accel_mps2?;
-        Some(libm::atan2f(libm::sqrtf(x * x + y * y), z))
+    /// Tilt, rad; `None` before the vehicle was seen at rest.
+    fn tilt_rad(&self) -> Option<f32> {
+        self.attitude.is_known().then(|| self.attitude.tilt_rad())
     }
 
     /// How the vehicle is.
@@ -159,7 +153,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             maneuver_missed_ticks: self.player.missed_ticks(),
             battery_v: self.battery_v.unwrap_or(0.0),
             rates_radps: self.gyro.rates_radps(),
-            up_body: self.up_body(),
+            up_body: self.attitude.up_in_body(),
             ticks: self.ticks,
             late_ticks: self.late_ticks,
             missing_samples: self.gyro.missing_total(),

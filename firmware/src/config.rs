@@ -1,5 +1,7 @@
 //! Every number that describes the vehicle or sets a limit of the flight logic, with its unit and its reason.
 
+pub mod control;
+
 use mintime_shared::messages::BoardTelemetry;
 pub use mintime_shared::vehicle::{MOTOR_COUNT, VehicleConfig};
 

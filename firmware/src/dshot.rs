@@ -28,10 +28,13 @@ impl Frame {
     /// Stand still. What arms a speed controller, too.
     pub const STOP: Self = Self::of_value(0);
 
-    /// A throttle, 0..1, onto 48..=2047. What lies outside saturates; not a number gives the lowest.
+    /// A throttle, above 0 to 1, onto 48..=2047. Zero, less, and what is not a number stand still; more than one saturates.
     pub fn throttle(throttle: f32) -> Self {
+        if !(throttle > 0.0) {
+            return Self::STOP;
+        }
         let span = f32::from(VALUE_MAX - VALUE_MIN);
-        // `as` saturates and turns NaN into zero.
+        // `as` saturates.
         let steps = (throttle * span + 0.5) as u16;
         Self::of_value(VALUE_MIN.saturating_add(steps).min(VALUE_MAX))
     }

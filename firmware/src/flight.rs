@@ -13,7 +13,7 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    AbortReason, BoardTelemetry, FlightState, Happening, Incident, IncidentCause, KillSwitch, Message, Purpose,
+    AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause, KillSwitch, Message, Purpose,
     RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
 use mintime_shared::real::at_most;
@@ -21,15 +21,17 @@ use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
 
+use crate::attitude::{AttitudeEstimate, Motion};
 use crate::config::{
     BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus, VehicleConfig,
 };
+use crate::calibration::ScaleCalibration;
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
 use crate::keeping::{Keeper, Slots};
-use crate::mixer::{Demand, RotorDrive, rotor_thrusts};
+use crate::mixer::{Demand, RotorDrive, mix};
 use crate::player::Player;
-use crate::rate_control::RateController;
+use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
 use crate::recovery::Recovery;
 use crate::requests::Verdicts;
@@ -72,6 +74,16 @@ pub(crate) enum Clock {
     Backwards,
 }
 
+/// A calibration of the gyro's scale by guided turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turns {
+    /// The request that asked for it: number, axis, turns.
+    pub(crate) asked: (u16, u8, i8),
+    pub(crate) under_way: ScaleCalibration,
+    /// What it has found.
+    pub(crate) found: Option<Result<f32, CalibrationError>>,
+}
+
 /// One motor that turns while the others stand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MotorTest {
@@ -109,6 +121,9 @@ pub struct FlightLogic<M> {
     pub(crate) state_since_us: u64,
     // What it senses.
     pub(crate) gyro: Gyro,
+    pub(crate) attitude: AttitudeEstimate,
+    /// Guided turns under way, and who asked for them.
+    pub(crate) turns: Option<Turns>,
     pub(crate) accel_mps2: Option<[f32; 3]>,
     pub(crate) battery_v: Option<f32>,
     /// The last voltage known, for thrust compensation.
@@ -188,6 +203,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             incidents: 0,
             state_since_us: 0,
             gyro: Gyro::new(),
+            attitude: AttitudeEstimate::new(),
+            turns: None,
             accel_mps2: None,
             battery_v: None,
             drive_v: None,
@@ -296,6 +313,22 @@ impl<M: RecordMemory> FlightLogic<M> {
         let motors_off = !self.state().motors_on();
         self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
         self.accel_mps2 = input.imu.map(|imu| imu.accel_mps2).filter(|a| a.iter().all(|v| v.is_finite()));
+        let motion = match self.state() {
+            FlightState::Tracking => Motion::Flying,
+            FlightState::Maneuver | FlightState::Recovery => Motion::Maneuver,
+            _ => Motion::MotorsOff,
+        };
+        let rates_radps = self.gyro.rates_radps();
+        let dt_s = interval_s(self.interval_us);
+        // Where the sample is missing the last rates have to do, and gravity says nothing.
+        let accel_mps2 = self.accel_mps2.unwrap_or_default();
+        self.attitude.update(rates_radps, accel_mps2, dt_s, motion);
+        if let (Some(imu), Some(turns)) = (input.imu, &mut self.turns)
+            && motors_off
+            && turns.found.is_none()
+        {
+            turns.found = turns.under_way.update(imu.gyro_radps, dt_s);
+        }
     }
 
     fn advance_clock(&mut self, now_us: u64) -> Clock {
@@ -385,7 +418,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             FlightState::Recovery => {
                 let force_mps2 = self.accel_mps2.map(|[_, _, z]| z);
-                self.recovery.command(1.0, [0.0; 3], force_mps2, self.step_s())
+                let [_, _, up] = self.attitude.up_in_body();
+                self.recovery.command(up, self.attitude.level_rates(), force_mps2, self.step_s())
             }
             _ => return None,
         };
@@ -393,10 +427,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         Some(Setpoint { thrust_mps2, ..setpoint })
     }
 
-    /// Time since the last tick as the controllers believe it, s. In 32 bits: the processor converts those by itself.
+    /// Time since the last tick as the controllers believe it, s.
     fn step_s(&self) -> f32 {
-        let interval_us = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
-        at_most(interval_us as f32 * 1.0e-6, CONTROL_STEP_MAX_S)
+        at_most(interval_s(self.interval_us), CONTROL_STEP_MAX_S)
     }
 
     /// Rate control, mixing, and what the motors get.
@@ -404,7 +437,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         let dt_s = self.step_s();
         let Some(setpoint) = setpoint else {
             self.commanded = Setpoint::default();
-            self.rate.reset(self.gyro.rates_radps());
+            self.rate.rest(self.gyro.rates_radps());
             let off = self.drive.rest(&self.config, dt_s);
             let armed = self.state() == FlightState::Armed;
             let throttle = match self.purpose {
@@ -415,11 +448,20 @@ impl<M: RecordMemory> FlightLogic<M> {
             };
             return TickOutput { throttle, setpoint: self.commanded };
         };
-        let acceleration =
-            self.rate.update(self.commanded.rates_radps, setpoint.rates_radps, self.gyro.rates_radps(), dt_s);
-        let demand = Demand { thrust_mps2: setpoint.thrust_mps2, acceleration_radps2: acceleration };
-        let thrusts = rotor_thrusts(&self.config, &demand);
-        let throttle = self.drive.throttles(&self.config, thrusts, self.drive_v, dt_s);
+        let thrust_mps2 = setpoint.thrust_mps2;
+        let input = RateInput {
+            asked: self.commanded.rates_radps,
+            next: setpoint.rates_radps,
+            measured: self.gyro.rates_radps(),
+            thrust_mps2,
+            dt_s,
+        };
+        let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
+        let mixed = mix(&self.config, &demand);
+        self.rate.limited(&mixed.saturation);
+        let saturated = mixed.saturation.thrust || mixed.saturation.axes.contains(&true);
+        self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
+        let throttle = self.drive.throttles(&self.config, mixed.thrusts_n, self.drive_v, dt_s);
         self.commanded = setpoint;
         TickOutput { throttle: Some(throttle), setpoint }
     }
@@ -468,4 +510,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         // A full outbox means a slow link: the next one will do.
         let _ = outbox.push_back(Message::Telemetry(self.telemetry()));
     }
+}
+
+/// In 32 bits: the processor converts those by itself.
+fn interval_s(interval_us: u64) -> f32 {
+    u32::try_from(interval_us).unwrap_or(u32::MAX) as f32 * 1.0e-6
 }

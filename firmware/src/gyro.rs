@@ -5,6 +5,7 @@ use crate::config::{
     GYRO_SATURATED_TICKS, GYRO_SATURATION_RADPS, STILL_SPREAD_RADPS,
 };
 
+use crate::config::control::SCALE_ERROR_MAX;
 use mintime_shared::real::{at_least, at_most};
 
 /// One reading of the inertial sensor, body axes forward-left-up.
@@ -16,21 +17,21 @@ pub struct ImuSample {
     pub accel_mps2: [f32; 3],
 }
 
-/// Running estimate of the bias over windows of stillness.
+/// A window in which the vehicle stands still or does not, and the mean of its rates: the bias.
 #[derive(Clone, Copy, Debug)]
-struct Calibration {
+pub(crate) struct StillWindow {
     count: u32,
     sum: [f32; 3],
     low: [f32; 3],
     high: [f32; 3],
 }
 
-impl Calibration {
-    const EMPTY: Self =
+impl StillWindow {
+    pub(crate) const EMPTY: Self =
         Self { count: 0, sum: [0.0; 3], low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
     /// Takes a sample. At the end of a window: the mean if the vehicle stood still, `Err` if it moved.
-    fn take(&mut self, rates: [f32; 3]) -> Option<Result<[f32; 3], ()>> {
+    pub(crate) fn take(&mut self, rates: [f32; 3]) -> Option<Result<[f32; 3], ()>> {
         for (((sum, low), high), rate) in
             self.sum.iter_mut().zip(&mut self.low).zip(&mut self.high).zip(rates)
         {
@@ -54,8 +55,9 @@ impl Calibration {
 #[derive(Clone, Copy, Debug)]
 pub struct Gyro {
     bias_radps: Option<[f32; 3]>,
+    scale: [f32; 3],
     moving: bool,
-    calibration: Calibration,
+    calibration: StillWindow,
     rates_radps: [f32; 3],
     last_raw: Option<[f32; 3]>,
     missing_ticks: u32,
@@ -71,8 +73,9 @@ impl Gyro {
     pub const fn new() -> Self {
         Self {
             bias_radps: None,
+            scale: [1.0; 3],
             moving: true,
-            calibration: Calibration::EMPTY,
+            calibration: StillWindow::EMPTY,
             rates_radps: [0.0; 3],
             last_raw: None,
             missing_ticks: 0,
@@ -105,7 +108,7 @@ impl Gyro {
             // A hand on the vehicle counts at once, stillness only after a whole window. Once it counts as moving the window
             // alone decides, so that a bias learned wrong or drifted away is learned anew.
             self.moving = true;
-            self.calibration = Calibration::EMPTY;
+            self.calibration = StillWindow::EMPTY;
         } else if calibrate {
             match self.calibration.take(raw) {
                 Some(Ok(bias)) => {
@@ -118,15 +121,26 @@ impl Gyro {
         }
         if !calibrate {
             self.moving = true;
-            self.calibration = Calibration::EMPTY;
+            self.calibration = StillWindow::EMPTY;
         }
         let bias = self.bias_radps.unwrap_or_default();
-        for ((rate, raw), bias) in self.rates_radps.iter_mut().zip(raw).zip(bias) {
-            *rate = raw - bias;
+        for (((rate, raw), bias), scale) in self.rates_radps.iter_mut().zip(raw).zip(bias).zip(self.scale) {
+            *rate = (raw - bias) * scale;
         }
     }
 
-    /// Body rates with the bias removed, rad/s; the last ones where samples are missing.
+    /// Takes the factors by which the rates are multiplied, [`crate::calibration`]. Returns whether they are believed; if
+    /// not, nothing has changed.
+    pub fn set_scale(&mut self, scale: [f32; 3]) -> bool {
+        // False for NaN.
+        let credible = scale.iter().all(|s| (s - 1.0).abs() <= SCALE_ERROR_MAX);
+        if credible {
+            self.scale = scale;
+        }
+        credible
+    }
+
+    /// Body rates with bias removed and scale corrected, rad/s; the last ones where samples are missing.
     pub fn rates_radps(&self) -> [f32; 3] {
         self.rates_radps
     }
@@ -145,7 +159,7 @@ impl Gyro {
     pub fn forget_bias(&mut self) {
         self.bias_radps = None;
         self.moving = true;
-        self.calibration = Calibration::EMPTY;
+        self.calibration = StillWindow::EMPTY;
     }
 
     /// Whether the vehicle moved during the last window.

@@ -18,7 +18,9 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)
 )]
 
+pub mod attitude;
 pub mod bmi270;
+pub mod calibration;
 mod conditions;
 pub mod config;
 pub mod dshot;
@@ -27,6 +29,7 @@ pub mod flight;
 pub mod gyro;
 pub mod keeping;
 pub mod link;
+pub mod low_pass;
 mod memory;
 pub mod mixer;
 pub mod pacing;

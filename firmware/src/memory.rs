@@ -1,13 +1,14 @@
 //! What the flight logic keeps, restores and calibrates: all of it with the motors off.
 
 use mintime_shared::messages::{
-    FlightState, Happening, Incident, IncidentCause, Refusal, Reply, TableName,
+    CalibrationError, FlightState, Happening, Incident, IncidentCause, Refusal, Reply, TableName,
 };
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
 
+use crate::calibration::{Axis, ScaleCalibration};
 use crate::config::StoreStatus;
-use crate::flight::FlightLogic;
+use crate::flight::{FlightLogic, Turns};
 use crate::keeping::{self, Job, Kept, Key, Value};
 use crate::recorder::RecordMemory;
 
@@ -26,6 +27,9 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             Some(Kept::Settings(settings)) => {
                 self.settings = settings;
+                // Both have been checked with the settings.
+                let _ = self.gyro.set_scale(settings.gyro_scale);
+                self.rate.set_cutoff_hz(settings.gyro_cutoff_hz);
             }
             Some(Kept::Pairing(key)) => self.pairing = Some(key),
             Some(Kept::Table(place, slot)) => {
@@ -136,6 +140,47 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Ok(Reply::Pending)
             }
             state => Err(Refusal::WrongState(state)),
+        }
+    }
+
+    /// Begins guided turns, says how far they are, keeps what they found.
+    pub(crate) fn calibrate_scale(
+        &mut self,
+        asked: (u16, u8, i8),
+        now_us: u64,
+    ) -> Result<Reply, Refusal> {
+        let (_, axis, turns) = asked;
+        if turns == 0 {
+            self.turns = None;
+            return Ok(Reply::Done);
+        }
+        if self.state() != FlightState::Disarmed {
+            return Err(Refusal::WrongState(self.state()));
+        }
+        let Some(under_way) = self.turns.filter(|turns| turns.asked == asked) else {
+            let body_axis = match axis {
+                0 => Axis::Forward,
+                1 => Axis::Left,
+                2 => Axis::Up,
+                _ => return Err(Refusal::Calibration(CalibrationError::Turns)),
+            };
+            let begun = ScaleCalibration::start(body_axis, turns).map_err(Refusal::Calibration)?;
+            self.turns = Some(Turns { asked, under_way: begun, found: None });
+            return Ok(Reply::Pending);
+        };
+        match under_way.found {
+            None => Ok(Reply::Pending),
+            Some(Err(error)) => Err(Refusal::Calibration(error)),
+            Some(Ok(scale)) => {
+                let mut settings = self.settings;
+                let slot = settings.gyro_scale.get_mut(usize::from(axis)).ok_or(Refusal::OutOfRange)?;
+                *slot = scale;
+                settings.check().map_err(Refusal::Settings)?;
+                if self.settings == settings {
+                    return Ok(Reply::Done);
+                }
+                self.keep(Key::Settings, keeping::value(&settings), now_us)
+            }
         }
     }
 }

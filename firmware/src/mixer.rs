@@ -19,19 +19,47 @@ pub struct Demand {
     pub acceleration_radps2: [f32; 3],
 }
 
-/// Thrust of each rotor, N, within what it can give.
+/// What the mixer makes of a demand.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mixed {
+    /// Thrust of each rotor, N, within what it can give.
+    pub thrusts_n: [f32; MOTOR_COUNT],
+    /// What of the demand is in it.
+    pub saturation: Saturation,
+}
+
+/// Which parts of a demand the rotors could not give, and what they give instead.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Saturation {
+    /// Less angular acceleration than asked for about forward, left, up.
+    pub axes: [bool; 3],
+    /// Another collective thrust than asked for.
+    pub thrust: bool,
+    /// Angular acceleration given, rad/s².
+    pub achieved_radps2: [f32; 3],
+    /// Collective thrust per mass given, m/s².
+    pub achieved_mps2: f32,
+}
+
+/// Thrust of each rotor, N: [`mix`] without its report.
+pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COUNT] {
+    mix(config, demand).thrusts_n
+}
+
+/// From a demand to the thrust of each rotor, and what was left out.
 ///
 /// Non-finite demands count as zero torque and hover thrust; the caller filters them, this keeps the output finite.
-pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COUNT] {
+pub fn mix(config: &VehicleConfig, demand: &Demand) -> Mixed {
     let (low, high) = (config.rotor_thrust_idle_n, config.rotor_thrust_max_n);
     let range = high - low;
     let finite = |v: f32, otherwise: f32| if v.is_finite() { v } else { otherwise };
     let [jx, jy, jz] = config.inertia_kgm2;
     let [ax, ay, az] = demand.acceleration_radps2.map(|a| finite(a, 0.0));
     // A rotor at (x, y) with thrust f gives the torque (y f, −x f, ±κ f).
+    let yaw_arm_m = if config.reversed { -config.torque_per_thrust_m } else { config.torque_per_thrust_m };
     let roll = jx * ax / (4.0 * config.arm_left_m);
     let pitch = jy * ay / (4.0 * config.arm_forward_m);
-    let yaw = jz * az / (4.0 * config.torque_per_thrust_m);
+    let yaw_wanted = jz * az / (4.0 * yaw_arm_m);
 
     // Roll and pitch take the range less the reserve for yaw, scaled down together where they ask for more.
     let attitude_range = range * (1.0 - YAW_RESERVE);
@@ -49,18 +77,59 @@ pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COU
     let room = at_least(at_most(collective - half_spread - low, high - half_spread - collective), 0.0);
     let reserve = 0.5 * at_most(range - 2.0 * half_spread, range * YAW_RESERVE);
     let yaw_bound = at_least(room, reserve);
-    let yaw = at_most(at_least(yaw, -yaw_bound), yaw_bound);
+    let yaw = at_most(at_least(yaw_wanted, -yaw_bound), yaw_bound);
     let collective =
         at_most(at_least(collective, low + half_spread + yaw.abs()), high - half_spread - yaw.abs());
 
-    MOTORS.map(|place| {
+    let thrusts_n = MOTORS.map(|place| {
         let thrust = collective + f32::from(place.left) * roll - f32::from(place.forward) * pitch
             + f32::from(place.yaw) * yaw;
         at_most(at_least(thrust, low), high)
-    })
+    });
+    let less = attitude_scale < 1.0;
+    let saturation = Saturation {
+        axes: [less && ax != 0.0, less && ay != 0.0, yaw != yaw_wanted],
+        thrust: collective != wanted,
+        achieved_radps2: [ax * attitude_scale, ay * attitude_scale, yaw * 4.0 * yaw_arm_m / jz],
+        achieved_mps2: 4.0 * collective / config.mass_kg,
+    };
+    Mixed { thrusts_n, saturation }
 }
 
-/// Turns rotor thrusts into throttles: the square-root thrust map, battery compensation, and rotor-lag compensation.
+/// Throttle, 0 to 1, for a rotor speed, as a share of the speed at full throttle and the present voltage.
+///
+/// The thrust map is T = T_max · ((1 − a) u² + a u) · (V/V_ref)², with a the [`VehicleConfig::thrust_linear_share`];
+/// thrust goes with the square of the speed. With a = 0 the speed *is* the throttle.
+pub fn throttle_of_speed(linear_share: f32, speed: f32) -> f32 {
+    if linear_share == 0.0 {
+        return speed;
+    }
+    // The root of the quadratic in the form that does not cancel, and that ends in u = y for a = 1.
+    let y = speed * speed;
+    2.0 * y / (linear_share + libm::sqrtf(linear_share * linear_share + 4.0 * (1.0 - linear_share) * y))
+}
+
+/// The inverse of [`throttle_of_speed`].
+pub fn speed_of_throttle(linear_share: f32, throttle: f32) -> f32 {
+    if linear_share == 0.0 {
+        return throttle;
+    }
+    libm::sqrtf(((1.0 - linear_share) * throttle + linear_share) * throttle)
+}
+
+/// What each output line gets, from what the motor at each place of the frame shall get: the one place where wiring
+/// matters. Lines to which no motor is wired stay at zero: see [`VehicleConfig::is_sound`].
+pub fn to_outputs(config: &VehicleConfig, by_place: [f32; MOTOR_COUNT]) -> [f32; MOTOR_COUNT] {
+    let mut lines = [0.0; MOTOR_COUNT];
+    for (value, line) in by_place.into_iter().zip(config.outputs) {
+        if let Some(slot) = lines.get_mut(usize::from(line)) {
+            *slot = value;
+        }
+    }
+    lines
+}
+
+/// Turns rotor thrusts into throttles: the inverse thrust map, battery compensation, and rotor-lag compensation.
 ///
 /// A rotor follows its throttle with a lag of some 30 ms, longer than many a bang. A model of the rotor's speed runs
 /// along; the throttle overshoots so that the model reaches the wanted speed within [`ROTOR_RESPONSE_S`]. The model is
@@ -69,12 +138,14 @@ pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COU
 pub struct RotorDrive {
     /// Modelled rotor speeds over the speed at full throttle and nominal voltage.
     speed: [f32; MOTOR_COUNT],
+    /// The last voltage measured, V, and the collective thrust modelled when it first came, N.
+    measured: Option<(f32, f32)>,
 }
 
 impl RotorDrive {
     /// Rotors at rest.
     pub const fn new() -> Self {
-        Self { speed: [0.0; MOTOR_COUNT] }
+        Self { speed: [0.0; MOTOR_COUNT], measured: None }
     }
 
     /// Motors off: the model spins down with them.
@@ -92,20 +163,40 @@ impl RotorDrive {
         dt_s: f32,
     ) -> [f32; MOTOR_COUNT] {
         let idle = libm::sqrtf(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
+        let share = config.thrust_linear_share;
         let lead = at_least(config.rotor_lag_s / ROTOR_RESPONSE_S, 1.0);
         let mut command = [0.0; MOTOR_COUNT];
         for ((slot, thrust), speed) in command.iter_mut().zip(thrusts_n).zip(self.speed) {
             let wanted = libm::sqrtf(at_least(thrust / config.rotor_thrust_max_n, 0.0));
             *slot = at_most(at_least(speed + lead * (wanted - speed), idle), 1.0);
         }
-        // An implausible voltage (sense wire off) is not compensated for.
-        let voltage =
-            battery_v.filter(|v| config.is_plausible_battery(*v)).unwrap_or(config.battery_nominal_v);
-        let compensation = config.battery_nominal_v / voltage;
-        let throttles = command.map(|c| at_most(at_least(c * compensation, idle), 1.0));
+        let compensation = config.battery_nominal_v / self.voltage_now(config, battery_v);
+        let throttles =
+            command.map(|c| throttle_of_speed(share, at_most(at_least(c * compensation, idle), 1.0)));
         // The model follows what the rotors really get: a sagged battery cannot give full speed.
-        self.follow(config, throttles.map(|t| t / compensation), dt_s);
+        self.follow(config, throttles.map(|t| speed_of_throttle(share, t) / compensation), dt_s);
         throttles
+    }
+
+    /// The battery's voltage now, V: the last one measured, less what it has sagged since by the thrust that has grown.
+    fn voltage_now(&mut self, config: &VehicleConfig, battery_v: Option<f32>) -> f32 {
+        // An implausible voltage (sense wire off) is not compensated for.
+        let Some(measured_v) = battery_v.filter(|v| config.is_plausible_battery(*v)) else {
+            self.measured = None;
+            return config.battery_nominal_v;
+        };
+        if config.sag_v_per_n == 0.0 {
+            return measured_v;
+        }
+        let thrust_n = self.speed.iter().fold(0.0, |sum, s| sum + s * s) * config.rotor_thrust_max_n;
+        // A voltage that differs from the last is a new measurement.
+        let then_n = match self.measured {
+            Some((last_v, then_n)) if last_v == measured_v => then_n,
+            _ => thrust_n,
+        };
+        self.measured = Some((measured_v, then_n));
+        let now_v = measured_v - config.sag_v_per_n * (thrust_n - then_n);
+        if config.is_plausible_battery(now_v) { now_v } else { measured_v }
     }
 
     fn follow(&mut self, config: &VehicleConfig, command: [f32; MOTOR_COUNT], dt_s: f32) {

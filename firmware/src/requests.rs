@@ -243,7 +243,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.keep(Key::Pairing, value, now_us)
             }
             Request::Calibrate => self.calibrate(number),
-            Request::CalibrateScale { .. } => Err(Refusal::NoRecord),
+            Request::CalibrateScale { axis, turns } => self.calibrate_scale((number, axis, turns), now_us),
             Request::Acknowledge { incident } => {
                 self.events.push(now_us, Happening::Acknowledged(incident));
                 self.incident = None;

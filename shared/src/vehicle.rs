@@ -31,8 +31,9 @@ pub struct VehicleConfig {
     pub rotor_thrust_max_n: f32,
     /// Thrust of one rotor at idle, N: rotors never stop in flight.
     pub rotor_thrust_idle_n: f32,
-    /// Linear part a of the thrust map T/T_max = (1 − a) u² + a u over throttle u, 0..1.
-    pub thrust_linear: f32,
+    /// Share a of the thrust that grows with the throttle u itself, the rest with its square: T/T_max = (1 − a) u² + a u.
+    /// 0 for controllers of speed, more for those of voltage.
+    pub thrust_linear_share: f32,
     /// Time constant with which a rotor's speed follows its throttle, s.
     pub rotor_lag_s: f32,
     /// Battery voltage at which the thrust above was measured, V.
@@ -41,7 +42,8 @@ pub struct VehicleConfig {
     pub battery_low_v: f32,
     /// Voltage below which a maneuver is given up, V.
     pub battery_critical_v: f32,
-    /// How far the voltage falls per newton of collective thrust, V/N.
+    /// How far the battery's voltage falls for each newton of collective thrust, V/N: for the time between two measurements
+    /// of it. 0 believes the last one.
     pub sag_v_per_n: f32,
     /// Highest collective thrust per mass that a table may plan with, m/s². Below what the rotors give, so that torque
     /// is left for attitude at full planned thrust.
@@ -76,7 +78,7 @@ pub enum VehicleError {
     #[error("the thrust map's linear part must be 0 to 1, the rotor lag 0.001 to 0.2 s")]
     Rotor,
     /// Voltages out of order.
-    #[error("voltages must be 2 < critical < low < 1.2 · nominal < 62, sag 0 to 2 V/N")]
+    #[error("voltages must be 2 < critical < low < 1.2 · nominal < 62, sag 0 to 1 V/N")]
     Battery,
     /// Plan limits beyond the rotors or the gyro.
     #[error("plan limits: thrust above gravity and within the rotors with torque in reserve, rate 0.5 to 30 rad/s")]
@@ -102,7 +104,7 @@ impl VehicleConfig {
         torque_per_thrust_m: 0.022,
         rotor_thrust_max_n: 8.5,
         rotor_thrust_idle_n: 0.035,
-        thrust_linear: 0.0,
+        thrust_linear_share: 0.0,
         rotor_lag_s: 0.033,
         battery_nominal_v: 14.8,
         battery_low_v: 14.0,
@@ -134,12 +136,12 @@ impl VehicleConfig {
         let order = self.rotor_thrust_idle_n > 0.0 && self.rotor_thrust_idle_n < self.rotor_thrust_max_n;
         ensure(order && lift_n >= 1.3 * weight_n, E::Thrust)?;
         let lag = (0.001..=0.2).contains(&self.rotor_lag_s);
-        ensure((0.0..=1.0).contains(&self.thrust_linear) && lag, E::Rotor)?;
+        ensure((0.0..=1.0).contains(&self.thrust_linear_share) && lag, E::Rotor)?;
         let rising = 2.0 < self.battery_critical_v
             && self.battery_critical_v < self.battery_low_v
             && self.battery_low_v < 1.2 * self.battery_nominal_v
             && 1.2 * self.battery_nominal_v < 62.0;
-        ensure(rising && (0.0..=2.0).contains(&self.sag_v_per_n), E::Battery)?;
+        ensure(rising && (0.0..=1.0).contains(&self.sag_v_per_n), E::Battery)?;
         let limits = self.plan_limits();
         let thrust = self.plan_thrust_max_mps2 > GRAVITY_MPS2 as f32
             && self.plan_thrust_max_mps2 <= self.thrust_available_mps2(self.battery_nominal_v)
@@ -198,7 +200,7 @@ impl VehicleConfig {
             self.torque_per_thrust_m,
             self.rotor_thrust_max_n,
             self.rotor_thrust_idle_n,
-            self.thrust_linear,
+            self.thrust_linear_share,
             self.rotor_lag_s,
             self.battery_nominal_v,
             self.battery_low_v,

@@ -46,7 +46,7 @@ pub fn pack(extremal: &Extremal, vehicle: u32, heading_rad: f64) -> Result<Maneu
     let header = TableHeader {
         vehicle,
         kind: Kind::Extremal,
-        link: LinkPolicy::default(),
+        link: LinkPolicy::Finish,
         limits: extremal.limits.cast(),
         heading_rad: heading_rad as f32,
         start: extremal.from.cast(),

@@ -2,7 +2,7 @@
 
 use mintime_shared::minimum_principle::Costate;
 use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
-use mintime_shared::table::{ANY_VEHICLE, ArcProfile, Kind, ManeuverTable, TableHeader};
+use mintime_shared::table::{ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, ManeuverTable, TableHeader};
 use serde::Deserialize;
 
 /// One maneuver whose duration, structure and costate were computed and checked by an independent solver.
@@ -115,6 +115,7 @@ impl ReferenceCase {
         let header = TableHeader {
             vehicle: ANY_VEHICLE,
             kind: Kind::Extremal,
+            link: LinkPolicy::Finish,
             limits: self.limits.cast(),
             heading_rad: 0.0,
             start: self.from.cast(),

@@ -36,7 +36,7 @@ fn a_gyro_that_cannot_be_set_up_is_not_armed() {
         bench.assert_not_armed(ArmingBlock::NO_GYRO);
         let telemetry = bench.status();
         assert_eq!(telemetry.board.and_then(|b| b.gyro_fault), Some(fault), "{defect:?}");
-        assert_eq!(telemetry.state, FlightState::Stopped, "{defect:?}");
+        assert_eq!(telemetry.state, FlightState::Terminated, "{defect:?}");
         assert!(bench.log().says("no gyro; arming is refused"), "{:?}", bench.log().0);
     }
 }
@@ -48,7 +48,7 @@ fn a_gyro_that_falls_silent_in_flight_stops_the_motors() {
         let now = vehicle.now_ns();
         vehicle.simulator_mut().inject(Fault::ImuSilent, now..u64::MAX).expect("the fault exists");
     });
-    assert_eq!(bench.assert_lost(), (FlightState::Stopped, Some(AbortReason::GyroMissing)));
+    assert_eq!(bench.assert_lost(), (FlightState::Terminated, Some(AbortReason::GyroMissing)));
     let after_ms = bench.stopped_after_ms();
     println!("silent gyro: motors off after {after_ms:.2} ms");
     // One and a half periods and seven more, less what had passed of the first; then one frame.

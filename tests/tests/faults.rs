@@ -34,7 +34,7 @@ fn table_of(name: &str) -> ManeuverTable {
 }
 
 fn plan_of(table: ManeuverTable) -> FlightPlan {
-    FlightPlan { table, start_m: Vector3::zeros() }
+    FlightPlan { table, start_m: Vector3::zeros(), vehicle: Some(VehicleConfig::REFERENCE) }
 }
 
 fn hosted(parameters: &VehicleParameters, seed: u64, table: &ManeuverTable) -> HostedVehicle {
@@ -211,7 +211,7 @@ fn a_gyro_that_falls_silent_stops_the_motors_within_15_ms() {
                 &table_of("general_5_5"),
                 &[(phase, Fault::ImuSilent, delay * MS..FOR_EVER)],
             );
-            assert_eq!(flight.lost(), (FlightState::Stopped, Some(AbortReason::GyroMissing)), "{phase:?}");
+            assert_eq!(flight.lost(), (FlightState::Terminated, Some(AbortReason::GyroMissing)), "{phase:?}");
             let off = flight.motors_off_after_s();
             assert!(off < 0.015, "{model}, {phase:?}: {off} s");
         }
@@ -240,7 +240,7 @@ fn a_few_missing_samples_change_little() {
 fn a_gyro_that_freezes_is_noticed() {
     let hover =
         broken(&nominal(), &table_of("general_5_5"), &[(Phase::Hover, Fault::ImuStuck, 1000 * MS..FOR_EVER)]);
-    assert_eq!(hover.lost(), (FlightState::Stopped, Some(AbortReason::GyroFrozen)));
+    assert_eq!(hover.lost(), (FlightState::Terminated, Some(AbortReason::GyroFrozen)));
     assert!(hover.motors_off_after_s() < 0.5, "{} s", hover.motors_off_after_s());
     // In the fast turn of (5, 5), in the middle of its slow arc, at its end.
     for (delay, within_s) in [(900, 0.1), (400, 0.5), (1250, 0.1)] {
@@ -249,7 +249,7 @@ fn a_gyro_that_freezes_is_noticed() {
             &table_of("general_5_5"),
             &[(Phase::Maneuver, Fault::ImuStuck, delay * MS..FOR_EVER)],
         );
-        assert_eq!(flight.lost().0, FlightState::Stopped, "{delay} ms");
+        assert_eq!(flight.lost().0, FlightState::Terminated, "{delay} ms");
         assert!(flight.motors_off_after_s() < within_s, "{delay} ms: {} s", flight.motors_off_after_s());
     }
 }
@@ -263,7 +263,7 @@ fn a_gyro_of_the_wrong_sign_stops_the_motors() {
             &[(phase, Fault::GyroReversed, delay * MS..FOR_EVER)],
         );
         let (state, reason) = flight.lost();
-        assert_eq!(state, FlightState::Stopped, "{phase:?}");
+        assert_eq!(state, FlightState::Terminated, "{phase:?}");
         assert!(
             matches!(reason, Some(AbortReason::Runaway | AbortReason::GyroSaturated)),
             "{phase:?}: {reason:?}"
@@ -277,7 +277,7 @@ fn a_gyro_of_the_wrong_sign_stops_the_motors() {
 fn a_gyro_mounted_the_wrong_way_round_does_not_get_far() {
     let flight =
         broken(&nominal(), &table_of("general_5_5"), &[(Phase::Prepare, Fault::GyroReversed, 0..FOR_EVER)]);
-    assert_eq!(flight.lost().0, FlightState::Stopped);
+    assert_eq!(flight.lost().0, FlightState::Terminated);
     let highest = flight.trace.samples.iter().map(|s| s.truth.position_m[2]).fold(f64::MIN, f64::max);
     assert!(highest < GROUND_M + 1.0, "{highest} m");
 }
@@ -312,7 +312,7 @@ fn a_dead_rotor_stops_the_motors() {
                 &[(phase, Fault::RotorDead(rotor), delay * MS..FOR_EVER)],
             );
             let (state, reason) = flight.lost();
-            assert_eq!(state, FlightState::Stopped, "{phase:?}, rotor {rotor}");
+            assert_eq!(state, FlightState::Terminated, "{phase:?}, rotor {rotor}");
             assert!(
                 matches!(reason, Some(AbortReason::Runaway | AbortReason::GyroSaturated)),
                 "{phase:?}, rotor {rotor}: {reason:?}"
@@ -482,7 +482,7 @@ impl ByHand {
         let mut hand = Self::new(parameters, heading_rad);
         hand.wait(1.5);
         hand.commit(&table_of("horizontal_1"));
-        assert_eq!(hand.ask(Request::Arm), Ok(Reply::Done));
+        assert_eq!(hand.ask(Request::Arm(Purpose::Flight)), Ok(Reply::Done));
         hand
     }
 

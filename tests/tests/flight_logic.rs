@@ -70,7 +70,7 @@ impl Bench {
     }
 
     fn arm(&mut self) {
-        assert_eq!(self.ask(Request::Arm), Reply::Done);
+        assert_eq!(self.ask(Request::Arm(Purpose::Flight)), Reply::Done);
         assert_eq!(self.logic.state(), FlightState::Armed);
     }
 
@@ -78,7 +78,7 @@ impl Bench {
         let mut bench = Self::armed();
         bench.stream = Some(HOVER);
         bench.run(20);
-        assert_eq!(bench.logic.state(), FlightState::Flying);
+        assert_eq!(bench.logic.state(), FlightState::Tracking);
         bench
     }
 
@@ -91,15 +91,15 @@ impl Bench {
         }
         match state {
             FlightState::Disarmed | FlightState::Armed => {}
-            FlightState::Stopped => assert_eq!(bench.ask(Request::EmergencyStop), Reply::Done),
-            FlightState::Flying | FlightState::Maneuver | FlightState::LinkLost => {
+            FlightState::Terminated => assert_eq!(bench.ask(Request::EmergencyStop), Reply::Done),
+            FlightState::Tracking | FlightState::Maneuver | FlightState::Recovery => {
                 bench.stream = Some(HOVER);
                 bench.run(20);
                 if state == FlightState::Maneuver {
                     assert_eq!(bench.trigger(), Reply::Done);
                     bench.run(50);
                 }
-                if state == FlightState::LinkLost {
+                if state == FlightState::Recovery {
                     bench.stream = None;
                     bench.run(FRESH_TICKS + 20);
                 }
@@ -266,10 +266,10 @@ fn stage(table: &ManeuverTable) -> Request {
 const ALL_STATES: [FlightState; 6] = [
     FlightState::Disarmed,
     FlightState::Armed,
-    FlightState::Flying,
+    FlightState::Tracking,
     FlightState::Maneuver,
-    FlightState::LinkLost,
-    FlightState::Stopped,
+    FlightState::Recovery,
+    FlightState::Terminated,
 ];
 
 // ---------------------------------------------------------------------------------------------------------- arming
@@ -279,7 +279,7 @@ const ALL_STATES: [FlightState; 6] = [
 fn arming_is_refused_for_each_reason() {
     use ArmingBlock as B;
     let blocked = |bench: &mut Bench| {
-        let refusal = bench.refusal(Request::Arm);
+        let refusal = bench.refusal(Request::Arm(Purpose::Flight));
         assert!(!bench.logic.state().motors_on());
         match refusal {
             Refusal::ArmingBlocked(bits) => ArmingBlock(bits),
@@ -324,7 +324,7 @@ fn arming_is_refused_for_each_reason() {
     for _ in 0..8 {
         bench.tick_with(None, TICK_US, &[]);
     }
-    bench.tick_with(None, TICK_US, &[Request::Arm]);
+    bench.tick_with(None, TICK_US, &[Request::Arm(Purpose::Flight)]);
     let number = bench.number;
     assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_SILENT.0))));
     bench.arm();
@@ -334,7 +334,7 @@ fn arming_is_refused_for_each_reason() {
     for _ in 0..402 {
         bench.tick_with(Some(same), TICK_US, &[]);
     }
-    bench.tick_with(Some(same), TICK_US, &[Request::Arm]);
+    bench.tick_with(Some(same), TICK_US, &[Request::Arm(Purpose::Flight)]);
     let number = bench.number;
     assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::GYRO_FROZEN.0))));
     bench.arm();
@@ -361,7 +361,7 @@ fn arming_is_refused_for_each_reason() {
     assert_eq!(blocked(&mut bench), B::KILL_SWITCH);
     bench.kill = false;
     let sample = bench.sample();
-    bench.tick_with(Some(sample), 10_000, &[Request::Arm]);
+    bench.tick_with(Some(sample), 10_000, &[Request::Arm(Purpose::Flight)]);
     let number = bench.number;
     assert_eq!(bench.answer(number), Some(Reply::Refused(Refusal::ArmingBlocked(B::LATE_TICKS.0))));
     assert_eq!(bench.ask(Request::EmergencyStop), Reply::Done);
@@ -369,7 +369,7 @@ fn arming_is_refused_for_each_reason() {
     assert_eq!(bench.ask(Request::Disarm), Reply::Done);
     bench.arm();
     // Asked twice is harmless.
-    assert_eq!(bench.ask(Request::Arm), Reply::Done);
+    assert_eq!(bench.ask(Request::Arm(Purpose::Flight)), Reply::Done);
 }
 
 /// A bias beyond belief is no calibration.
@@ -419,7 +419,7 @@ fn armed_motors_idle_and_stop_after_thirty_seconds() {
     assert_eq!(bench.abort(), Some(AbortReason::IdleTimeout));
     bench.stream = None;
     // It may have been moved while it was armed: it must stand still for a window again.
-    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
     bench.run(401);
     bench.arm();
     assert_eq!(bench.abort(), None);
@@ -431,13 +431,13 @@ fn a_vehicle_that_begins_to_move_is_not_armed() {
     let mut bench = Bench::ready();
     let mut sample = bench.sample();
     sample.gyro_radps[2] += 0.5;
-    bench.tick_with(Some(sample), TICK_US, &[Request::Arm]);
+    bench.tick_with(Some(sample), TICK_US, &[Request::Arm(Purpose::Flight)]);
     assert_eq!(
         bench.answer(bench.number),
         Some(Reply::Refused(Refusal::ArmingBlocked(ArmingBlock::MOVING.0)))
     );
     bench.run(300);
-    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
     bench.run(101);
     bench.arm();
 }
@@ -453,7 +453,7 @@ fn a_wrong_bias_is_learned_anew() {
     }
     // Standing still now reads as turning backwards.
     assert!((bench.telemetry().rates_radps[2] + 0.08).abs() < 5e-3);
-    assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
+    assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::MOVING.0));
     bench.run(800);
     assert!(bench.telemetry().rates_radps[2].abs() < 5e-3);
     bench.arm();
@@ -468,7 +468,7 @@ fn a_clock_that_runs_backwards_stops_the_motors() {
             bench.now_us = bench.now_us.saturating_sub(back_us + TICK_US);
             bench.tick(&[]);
             let motors_were_on = state.motors_on();
-            let want = if motors_were_on { FlightState::Stopped } else { state };
+            let want = if motors_were_on { FlightState::Terminated } else { state };
             assert_eq!(bench.logic.state(), want, "{state:?}");
             assert_eq!(bench.out.throttle, None);
             if motors_were_on {
@@ -484,13 +484,13 @@ fn a_lost_link_does_not_lift() {
     let mut bench = Bench::armed();
     bench.stream = Some(Setpoint { rates_radps: [0.0; 3], thrust_mps2: 1.5 });
     bench.run(40);
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     bench.stream = None;
     bench.run(FRESH_TICKS + 20);
-    assert_eq!(bench.logic.state(), FlightState::LinkLost);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
     assert_eq!(bench.out.setpoint.thrust_mps2, 1.5);
     // From a hover it sinks.
-    let mut bench = Bench::in_state(FlightState::LinkLost);
+    let mut bench = Bench::in_state(FlightState::Recovery);
     bench.run(10);
     assert!(bench.out.setpoint.thrust_mps2 < 9.81);
     // And a battery reading that disappears changes no throttle.
@@ -534,7 +534,7 @@ fn an_impossible_battery_voltage_counts_as_unknown() {
     let mut bench = Bench::ready();
     for volts in [9e9, 3.0, f32::INFINITY] {
         bench.battery_v = Some(volts);
-        assert_eq!(bench.refusal(Request::Arm), Refusal::ArmingBlocked(ArmingBlock::BATTERY_UNKNOWN.0));
+        assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::BATTERY_UNKNOWN.0));
     }
 }
 
@@ -548,7 +548,7 @@ fn old_setpoints_do_not_lift() {
     assert_eq!(bench.logic.state(), FlightState::Armed);
     // Nor one that comes in the very tick of arming before the request.
     let mut bench = Bench::ready();
-    bench.tick(&[Request::Setpoint(HOVER), Request::Arm]);
+    bench.tick(&[Request::Setpoint(HOVER), Request::Arm(Purpose::Flight)]);
     bench.run(100);
     assert_eq!(bench.logic.state(), FlightState::Armed);
 }
@@ -560,20 +560,20 @@ fn without_setpoints_it_sinks_and_then_stops() {
     let mut bench = Bench::flying();
     bench.stream = None;
     let last_us = bench.now_us;
-    bench.run_while(FlightState::Flying, 200);
+    bench.run_while(FlightState::Tracking, 200);
     let lost_us = bench.now_us;
-    assert_eq!(bench.logic.state(), FlightState::LinkLost);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
     assert!((100_000 - 10_000..=100_000 + 1250).contains(&(lost_us - last_us)), "{}", lost_us - last_us);
     assert_eq!(bench.out.setpoint.rates_radps, [0.0; 3]);
     assert!((9.0..9.8).contains(&bench.out.setpoint.thrust_mps2), "sinks gently");
-    bench.run_while(FlightState::LinkLost, 2000);
-    assert_eq!(bench.logic.state(), FlightState::Stopped);
+    bench.run_while(FlightState::Recovery, 2000);
+    assert_eq!(bench.logic.state(), FlightState::Terminated);
     assert_eq!(bench.now_us - lost_us, 1_500_000);
     assert_eq!(bench.abort(), Some(AbortReason::LinkLost));
     // Nothing starts it again but a disarm.
     bench.stream = Some(HOVER);
     bench.run(100);
-    assert_eq!(bench.logic.state(), FlightState::Stopped);
+    assert_eq!(bench.logic.state(), FlightState::Terminated);
     assert_eq!(bench.ask(Request::Disarm), Reply::Done);
     bench.run(100);
     assert_eq!(bench.logic.state(), FlightState::Disarmed);
@@ -584,10 +584,10 @@ fn the_host_may_come_back_in_time() {
     let mut bench = Bench::flying();
     bench.stream = None;
     bench.run(1200);
-    assert_eq!(bench.logic.state(), FlightState::LinkLost);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
     bench.stream = Some(HOVER);
     bench.run(8);
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     assert_eq!(bench.abort(), None);
 }
 
@@ -597,19 +597,19 @@ fn a_lost_link_does_not_end_a_maneuver() {
     let mut bench = Bench::maneuver();
     bench.stream = None;
     bench.run_while(FlightState::Maneuver, 2000);
-    assert_eq!(bench.logic.state(), FlightState::LinkLost);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
     assert!(bench.telemetry().maneuver_complete);
     bench.run(1100);
-    assert_eq!(bench.logic.state(), FlightState::LinkLost, "1.4 s alone");
+    assert_eq!(bench.logic.state(), FlightState::Recovery, "1.4 s alone");
     bench.run(120);
-    assert_eq!(bench.logic.state(), FlightState::Stopped);
+    assert_eq!(bench.logic.state(), FlightState::Terminated);
 }
 
 // ------------------------------------------------------------------------------------------------------------ tables
 
 #[test]
 fn with_motors_on_no_upload_changes_anything() {
-    for state in [FlightState::Armed, FlightState::Flying, FlightState::Maneuver, FlightState::LinkLost] {
+    for state in [FlightState::Armed, FlightState::Tracking, FlightState::Maneuver, FlightState::Recovery] {
         let mut bench = Bench::in_state(state);
         let other = table_of("horizontal_5");
         let before = bench.read_table();
@@ -684,7 +684,7 @@ fn made_for(vehicle: u32) -> (Vec<u8>, u32) {
 #[test]
 fn a_table_beyond_the_vehicle_is_refused() {
     use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
-    use mintime_shared::table::{ANY_VEHICLE, Kind, TableHeader};
+    use mintime_shared::table::{ANY_VEHICLE, Kind, LinkPolicy, TableHeader};
     for (thrust_max_mps2, rate_max_radps, fits) in
         [(30.0, 15.0, true), (30.1, 15.0, false), (30.0, 15.1, false)]
     {
@@ -693,6 +693,7 @@ fn a_table_beyond_the_vehicle_is_refused() {
         let header = TableHeader {
             vehicle: ANY_VEHICLE,
             kind: Kind::Learned,
+            link: LinkPolicy::Finish,
             limits,
             heading_rad: 0.0,
             start: State::origin(),
@@ -716,7 +717,7 @@ fn a_table_beyond_the_vehicle_is_refused() {
 fn a_trigger_is_refused_unless_all_is_well() {
     let checksum = table().checksum();
     let trigger = Request::Trigger { checksum };
-    for state in [FlightState::Disarmed, FlightState::Armed, FlightState::LinkLost, FlightState::Stopped] {
+    for state in [FlightState::Disarmed, FlightState::Armed, FlightState::Recovery, FlightState::Terminated] {
         let mut bench = Bench::in_state(state);
         assert_eq!(bench.refusal(trigger.clone()), Refusal::WrongState(state));
         assert_eq!(bench.logic.state(), state);
@@ -724,7 +725,7 @@ fn a_trigger_is_refused_unless_all_is_well() {
     let mut bench = Bench::flying();
     assert_eq!(bench.refusal(trigger.clone()), Refusal::NotCommitted, "no table at all");
     assert_eq!(bench.refusal(Request::Trigger { checksum: 0 }), Refusal::NotCommitted, "nor one named 0");
-    let mut bench = Bench::in_state(FlightState::Flying);
+    let mut bench = Bench::in_state(FlightState::Tracking);
     assert_eq!(bench.refusal(Request::Trigger { checksum: checksum ^ 1 }), Refusal::NotCommitted);
     for battery in [None, Some(13.9), Some(f32::NAN)] {
         bench.battery_v = battery;
@@ -749,7 +750,7 @@ fn a_trigger_is_refused_unless_all_is_well() {
 /// new maneuver.
 #[test]
 fn a_repeated_trigger_fires_once() {
-    let mut bench = Bench::in_state(FlightState::Flying);
+    let mut bench = Bench::in_state(FlightState::Tracking);
     let number = bench.number + 1;
     let again = |bench: &mut Bench| {
         let rest = core::mem::replace(&mut bench.number, number - 1);
@@ -764,7 +765,7 @@ fn a_repeated_trigger_fires_once() {
     assert!(bench.telemetry().maneuver_s > elapsed);
     bench.run_while(FlightState::Maneuver, 2000);
     assert_eq!(again(&mut bench), Reply::Done);
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     assert_eq!(bench.trigger(), Reply::Done);
     assert_eq!(bench.logic.state(), FlightState::Maneuver);
 }
@@ -798,7 +799,7 @@ fn a_maneuver_runs_to_its_end_and_is_recorded() {
             expected.push((command, bench.out.throttle.expect("motors on")));
             bench.tick(&[]);
         }
-        assert_eq!(bench.logic.state(), FlightState::Flying, "{}", case.name);
+        assert_eq!(bench.logic.state(), FlightState::Tracking, "{}", case.name);
         assert_eq!(bench.out.setpoint, HOVER);
         let ticks = (case.duration_s / 1250e-6).ceil() as usize;
         assert_eq!(expected.len(), ticks, "{}", case.name);
@@ -856,14 +857,14 @@ fn a_full_recorder_keeps_the_beginning() {
 /// Samples stay away: up to seven ticks are flown through, the eighth stops the motors.
 #[test]
 fn missing_samples() {
-    for state in [FlightState::Armed, FlightState::Flying, FlightState::Maneuver, FlightState::LinkLost] {
+    for state in [FlightState::Armed, FlightState::Tracking, FlightState::Maneuver, FlightState::Recovery] {
         for missing in 1..=8 {
             let mut bench = Bench::in_state(state);
             for _ in 0..missing {
                 bench.tick_with(None, TICK_US, &[]);
             }
             let stopped = missing == 8;
-            let want = if stopped { FlightState::Stopped } else { state };
+            let want = if stopped { FlightState::Terminated } else { state };
             assert_eq!(bench.logic.state(), want, "{missing} missing in {state:?}");
             let telemetry = bench.telemetry();
             assert_eq!(telemetry.abort, stopped.then_some(AbortReason::GyroMissing));
@@ -895,7 +896,7 @@ fn samples_that_are_no_numbers_count_as_missing() {
                 let mut sample = bench.sample();
                 sample.gyro_radps[axis] = bad;
                 bench.tick_with(Some(sample), TICK_US, &[]);
-                let want = if tick == 8 { FlightState::Stopped } else { FlightState::Maneuver };
+                let want = if tick == 8 { FlightState::Terminated } else { FlightState::Maneuver };
                 assert_eq!(bench.logic.state(), want, "{bad} tick {tick}");
             }
             assert_eq!(bench.abort(), Some(AbortReason::GyroMissing));
@@ -907,7 +908,7 @@ fn samples_that_are_no_numbers_count_as_missing() {
         let sample = ImuSample { accel_mps2: [f32::NAN; 3], ..bench.sample() };
         bench.tick_with(Some(sample), TICK_US, &[]);
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
 }
 
 #[test]
@@ -919,7 +920,7 @@ fn a_saturated_gyro_stops_at_the_fourth_sample() {
                 let mut sample = bench.sample();
                 sample.gyro_radps[axis] = 34.9 * sign + 1e-3 * tick as f32;
                 bench.tick_with(Some(sample), TICK_US, &[]);
-                let want = if tick == 4 { FlightState::Stopped } else { FlightState::Flying };
+                let want = if tick == 4 { FlightState::Terminated } else { FlightState::Tracking };
                 assert_eq!(bench.logic.state(), want, "axis {axis} tick {tick}");
             }
             assert_eq!(bench.abort(), Some(AbortReason::GyroSaturated));
@@ -934,7 +935,7 @@ fn a_saturated_gyro_stops_at_the_fourth_sample() {
         }
         bench.run(1);
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
 }
 
 #[test]
@@ -949,7 +950,7 @@ fn a_frozen_gyro_stops_within_thirty_milliseconds() {
         ticks += 1;
         assert!(ticks < 60, "frozen and nobody noticed");
     }
-    assert_eq!(bench.logic.state(), FlightState::Stopped);
+    assert_eq!(bench.logic.state(), FlightState::Terminated);
     assert_eq!(bench.abort(), Some(AbortReason::GyroFrozen));
     assert!((24..=28).contains(&ticks), "{ticks} ticks");
 }
@@ -962,13 +963,13 @@ fn a_still_vehicle_is_not_frozen() {
         let sample = ImuSample { gyro_radps: [1e-3; 3], ..bench.sample() };
         bench.tick_with(Some(sample), TICK_US, &[]);
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
 }
 
 /// A vehicle that does not follow: 100 ms of an error beyond 8 rad/s.
 #[test]
 fn a_runaway_stops() {
-    for state in [FlightState::Flying, FlightState::LinkLost] {
+    for state in [FlightState::Tracking, FlightState::Recovery] {
         let mut bench = Bench::in_state(state);
         let mut ticks = 0;
         while bench.logic.state() == state {
@@ -978,7 +979,7 @@ fn a_runaway_stops() {
             ticks += 1;
             assert!(ticks <= 90);
         }
-        assert_eq!((bench.logic.state(), ticks), (FlightState::Stopped, 80));
+        assert_eq!((bench.logic.state(), ticks), (FlightState::Terminated, 80));
         assert_eq!(bench.abort(), Some(AbortReason::Runaway));
     }
     // A reversal that takes half of that is none.
@@ -992,7 +993,7 @@ fn a_runaway_stops() {
             &[],
         );
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
 }
 
 /// A vehicle that turns otherwise than planned gives the maneuver up: back to the host if it is there, motors off if not.
@@ -1013,7 +1014,7 @@ fn off_plan_ends_the_maneuver() {
                 ticks += 1;
                 assert!(ticks < 400);
             }
-            let want = if host { FlightState::Flying } else { FlightState::Stopped };
+            let want = if host { FlightState::Tracking } else { FlightState::Terminated };
             assert_eq!(bench.logic.state(), want, "axis {axis}");
             let took_s = ticks as f32 * 1.25e-3;
             assert!((took_s - limit_s).abs() < 0.03, "axis {axis}: {took_s} s for {limit_s} s");
@@ -1034,7 +1035,7 @@ fn late_ticks_end_the_maneuver() {
     assert_eq!(bench.logic.state(), FlightState::Maneuver, "one less is flown through");
     let sample = bench.sample();
     bench.tick_with(Some(sample), 10_000, &[]);
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     let telemetry = bench.telemetry();
     assert_eq!(telemetry.abort, Some(AbortReason::LateTicks));
     assert_eq!((telemetry.late_ticks, telemetry.worst_interval_us), (2, 10_000));
@@ -1045,7 +1046,7 @@ fn late_ticks_end_the_maneuver() {
         let sample = bench.sample();
         bench.tick_with(Some(sample), 2000, &[]);
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     assert_eq!(bench.abort(), Some(AbortReason::LateTicks));
     // In flight by setpoints late ticks are counted only.
     let mut bench = Bench::flying();
@@ -1053,7 +1054,7 @@ fn late_ticks_end_the_maneuver() {
         let sample = bench.sample();
         bench.tick_with(Some(sample), 2000, &[]);
     }
-    assert_eq!(bench.logic.state(), FlightState::Flying);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
     assert_eq!(bench.telemetry().late_ticks, 100);
 }
 
@@ -1063,21 +1064,21 @@ fn a_person_stops_it_in_every_state() {
     for state in ALL_STATES {
         let mut bench = Bench::in_state(state);
         assert_eq!(bench.ask(Request::EmergencyStop), Reply::Done);
-        assert_eq!((bench.logic.state(), bench.out.throttle), (FlightState::Stopped, None), "{state:?}");
+        assert_eq!((bench.logic.state(), bench.out.throttle), (FlightState::Terminated, None), "{state:?}");
         assert_eq!(bench.abort(), Some(AbortReason::EmergencyStop));
 
         let mut bench = Bench::in_state(state);
         bench.kill = true;
         bench.tick(&[]);
-        let want = if state.motors_on() { FlightState::Stopped } else { state };
+        let want = if state.motors_on() { FlightState::Terminated } else { state };
         assert_eq!((bench.logic.state(), bench.out.throttle), (want, None), "{state:?}");
         if state.motors_on() {
             assert_eq!(bench.abort(), Some(AbortReason::KillSwitch));
             // The switch must be released before a disarm clears it.
-            assert_eq!(bench.refusal(Request::Disarm), Refusal::WrongState(FlightState::Stopped));
+            assert_eq!(bench.refusal(Request::Disarm), Refusal::WrongState(FlightState::Terminated));
             bench.kill = false;
             bench.run(10);
-            assert_eq!(bench.logic.state(), FlightState::Stopped);
+            assert_eq!(bench.logic.state(), FlightState::Terminated);
         }
 
         let mut bench = Bench::in_state(state);
@@ -1092,14 +1093,14 @@ fn stops_win_over_what_comes_with_them() {
     for stop_first in [true, false] {
         let pair = |stop: Request, go: Request| if stop_first { [stop, go] } else { [go, stop] };
         let mut bench = Bench::ready();
-        bench.tick(&pair(Request::Disarm, Request::Arm));
+        bench.tick(&pair(Request::Disarm, Request::Arm(Purpose::Flight)));
         assert_eq!(bench.logic.state(), FlightState::Disarmed);
-        let mut bench = Bench::in_state(FlightState::Stopped);
+        let mut bench = Bench::in_state(FlightState::Terminated);
         bench.tick(&pair(Request::EmergencyStop, Request::Disarm));
-        assert_eq!(bench.logic.state(), FlightState::Stopped);
-        let mut bench = Bench::in_state(FlightState::Flying);
+        assert_eq!(bench.logic.state(), FlightState::Terminated);
+        let mut bench = Bench::in_state(FlightState::Tracking);
         bench.tick(&pair(Request::EmergencyStop, Request::Trigger { checksum: table().checksum() }));
-        assert_eq!(bench.logic.state(), FlightState::Stopped);
+        assert_eq!(bench.logic.state(), FlightState::Terminated);
     }
 }
 
@@ -1117,7 +1118,7 @@ fn another_protocol_version_is_refused_and_nothing_done() {
         let imu = Some(bench.sample());
         let input = TickInput { now_us: bench.now_us + TICK_US, imu, battery_v: Some(15.5), kill: false };
         bench.logic.tick(&input, &mut inbox, &mut outbox);
-        assert_eq!(bench.logic.state(), FlightState::Flying);
+        assert_eq!(bench.logic.state(), FlightState::Tracking);
         for number in [0, 1] {
             let reply = Reply::Refused(Refusal::ProtocolVersion);
             assert!(outbox.iter().any(|m| *m == Message::Reply { number, reply: reply.clone() }));
@@ -1141,7 +1142,7 @@ fn setpoints_that_are_no_numbers_are_refused_and_not_flown() {
             for _ in 0..FRESH_TICKS + 10 {
                 bench.tick(&[Request::Setpoint(setpoint)]);
             }
-            assert_eq!(bench.logic.state(), FlightState::LinkLost);
+            assert_eq!(bench.logic.state(), FlightState::Recovery);
         }
     }
 }
@@ -1156,7 +1157,7 @@ fn every_request_is_answered_once() {
             stage(&table()),
             Request::CommitTable { checksum: 5 },
             Request::ReadTable,
-            Request::Arm,
+            Request::Arm(Purpose::Flight),
             Request::Disarm,
             Request::EmergencyStop,
             Request::Trigger { checksum: 5 },
@@ -1207,7 +1208,7 @@ fn any_request() -> impl Strategy<Value = Request> {
         1 => prop::num::f32::ANY,
     ];
     prop_oneof![
-        3 => Just(Request::Arm),
+        3 => Just(Request::Arm(Purpose::Flight)),
         1 => Just(Request::Disarm),
         1 => Just(Request::EmergencyStop),
         1 => Just(Request::Status),
@@ -1379,7 +1380,7 @@ fn an_emergency_stop_finds_room() {
         for _ in 0..900 {
             tick(&mut vehicle);
         }
-        send(&mut vehicle, Request::Arm);
+        send(&mut vehicle, Request::Arm(Purpose::Flight));
         tick(&mut vehicle);
         assert_eq!(vehicle.state(), FlightState::Armed);
         // A disarm behind it does not undo it.
@@ -1388,6 +1389,6 @@ fn an_emergency_stop_finds_room() {
         }
         send(&mut vehicle, Request::Disarm);
         assert_eq!(tick(&mut vehicle).throttle, None, "place {place}");
-        assert_eq!(vehicle.state(), FlightState::Stopped);
+        assert_eq!(vehicle.state(), FlightState::Terminated);
     }
 }

@@ -84,7 +84,7 @@ fn request() -> impl Strategy<Value = Request> {
             Request::Identify,
             Request::Status,
             Request::ReadTable,
-            Request::Arm,
+            Request::Arm(Purpose::Flight),
             Request::Disarm,
             Request::EmergencyStop
         ]),
@@ -106,10 +106,10 @@ prop_compose! {
 const STATES: [FlightState; 6] = [
     FlightState::Disarmed,
     FlightState::Armed,
-    FlightState::Flying,
+    FlightState::Tracking,
     FlightState::Maneuver,
-    FlightState::LinkLost,
-    FlightState::Stopped,
+    FlightState::Recovery,
+    FlightState::Terminated,
 ];
 
 const ABORTS: [AbortReason; 11] = [
@@ -130,7 +130,7 @@ fn refusals() -> Vec<Refusal> {
     vec![
         Refusal::ProtocolVersion,
         Refusal::MotorsOn,
-        Refusal::WrongState(FlightState::Stopped),
+        Refusal::WrongState(FlightState::Terminated),
         Refusal::ArmingBlocked(u16::MAX),
         Refusal::Table(TableError::Limits(LimitsError::CannotLift)),
         Refusal::Table(TableError::BeyondVehicle),
@@ -431,7 +431,7 @@ fn the_largest_messages_fit() {
     let table = heapless::Vec::from_slice(&full(MAX_TABLE_BYTES)).expect("it fits");
     let telemetry = Telemetry {
         time_us: u64::MAX,
-        state: FlightState::Stopped,
+        state: FlightState::Terminated,
         arming_block: u16::MAX,
         abort: Some(AbortReason::EmergencyStop),
         table: u32::MAX,
@@ -548,7 +548,7 @@ fn the_bytes_on_the_line_are_these() {
     assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e02ad0209f8acd191017fe7c8a500");
     let telemetry = Telemetry {
         time_us: 1_000_000,
-        state: FlightState::Flying,
+        state: FlightState::Tracking,
         arming_block: ArmingBlock::MOVING.0,
         abort: Some(AbortReason::OffPlan),
         table: 0xdead_beef,

@@ -278,7 +278,7 @@ fn a_flipped_axis_loses_the_flight_at_take_off() {
 
 fn assert_runs_away(bench: &mut Bench) {
     let (state, reason) = bench.assert_lost();
-    assert_eq!(state, FlightState::Stopped);
+    assert_eq!(state, FlightState::Terminated);
     assert!(matches!(reason, Some(AbortReason::Runaway | AbortReason::GyroSaturated)), "{reason:?}");
     println!("stopped after {} ms", bench.stopped_after_ms());
     assert!(bench.stopped_after_ms() < 1500.0, "{}", bench.stopped_after_ms());

@@ -6,10 +6,10 @@ use mintime_shared::messages::{AbortReason, FlightState};
 const STATES: [FlightState; 6] = [
     FlightState::Disarmed,
     FlightState::Armed,
-    FlightState::Flying,
+    FlightState::Tracking,
     FlightState::Maneuver,
-    FlightState::LinkLost,
-    FlightState::Stopped,
+    FlightState::Recovery,
+    FlightState::Terminated,
 ];
 
 /// A supervisor in a state, led there by conditions alone.
@@ -19,10 +19,10 @@ fn in_state(state: FlightState) -> Supervisor {
     let path: Vec<Conditions> = match state {
         FlightState::Disarmed => vec![],
         FlightState::Armed => vec![C::ARM],
-        FlightState::Flying => flying.to_vec(),
+        FlightState::Tracking => flying.to_vec(),
         FlightState::Maneuver => [&flying[..], &[C::TRIGGER | C::FRESH]].concat(),
-        FlightState::LinkLost => [&flying[..], &[C::empty()]].concat(),
-        FlightState::Stopped => vec![C::ARM, C::KILL],
+        FlightState::Recovery => [&flying[..], &[C::empty()]].concat(),
+        FlightState::Terminated => vec![C::ARM, C::KILL],
     };
     let mut supervisor = Supervisor::new();
     for conditions in path {
@@ -54,10 +54,10 @@ fn every_step(mut look: impl FnMut(FlightState, Conditions, &Supervisor)) {
 fn a_stop_by_a_person_always_stops() {
     every_step(|from, conditions, after| {
         if conditions.contains(Conditions::EMERGENCY_STOP) {
-            assert_eq!(after.state(), FlightState::Stopped, "{from:?}, {conditions:?}");
+            assert_eq!(after.state(), FlightState::Terminated, "{from:?}, {conditions:?}");
         }
         if conditions.contains(Conditions::KILL) && from.motors_on() {
-            assert_eq!(after.state(), FlightState::Stopped, "{from:?}, {conditions:?}");
+            assert_eq!(after.state(), FlightState::Terminated, "{from:?}, {conditions:?}");
         }
         if conditions.contains(Conditions::DISARM) {
             assert!(!after.state().motors_on(), "{from:?}, {conditions:?}");
@@ -81,7 +81,7 @@ fn only_a_disarm_clears_a_stop_and_only_arming_starts_motors() {
     use Conditions as C;
     every_step(|from, conditions, after| {
         let to = after.state();
-        if from == FlightState::Stopped && to != from {
+        if from == FlightState::Terminated && to != from {
             assert_eq!(to, FlightState::Disarmed);
             assert!(conditions.contains(C::DISARM) && !conditions.intersects(C::KILL | C::EMERGENCY_STOP));
         }
@@ -90,10 +90,10 @@ fn only_a_disarm_clears_a_stop_and_only_arming_starts_motors() {
             assert!(conditions.contains(C::ARM) && !conditions.intersects(C::KILL | C::EMERGENCY_STOP));
         }
         if to == FlightState::Maneuver && from != to {
-            assert_eq!(from, FlightState::Flying);
+            assert_eq!(from, FlightState::Tracking);
             assert!(conditions.contains(C::TRIGGER | C::FRESH));
         }
-        if to == FlightState::Flying && from != to {
+        if to == FlightState::Tracking && from != to {
             assert!(
                 conditions.contains(C::FRESH),
                 "nobody flies without a setpoint: {from:?}, {conditions:?}"
@@ -147,7 +147,7 @@ fn severity_is_one_order() {
     every_step(|from, conditions, after| {
         let Some(abort) = after.abort() else { return };
         // What is reported is true, or was on the way to the state.
-        assert!(conditions.contains(condition_of(abort)) || from == FlightState::Stopped);
+        assert!(conditions.contains(condition_of(abort)) || from == FlightState::Terminated);
         // And nothing graver that this state looks at was passed over.
         for row in TRANSITIONS.iter().filter(|row| row.from.contains(States::from(from))) {
             let holds = conditions.contains(row.when) && !conditions.intersects(row.unless);
@@ -165,11 +165,11 @@ fn reports_last_until_the_next_arming() {
     use Conditions as C;
     let mut supervisor = in_state(FlightState::Maneuver);
     supervisor.step(C::OFF_PLAN | C::FRESH);
-    assert_eq!((supervisor.state(), supervisor.abort()), (FlightState::Flying, Some(AbortReason::OffPlan)));
+    assert_eq!((supervisor.state(), supervisor.abort()), (FlightState::Tracking, Some(AbortReason::OffPlan)));
     supervisor.step(C::KILL);
     assert_eq!(
         (supervisor.state(), supervisor.abort()),
-        (FlightState::Stopped, Some(AbortReason::KillSwitch))
+        (FlightState::Terminated, Some(AbortReason::KillSwitch))
     );
     supervisor.step(C::DISARM);
     assert_eq!(

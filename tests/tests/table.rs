@@ -80,7 +80,7 @@ fn forged_float(at: usize, value: f32) -> Result<ManeuverTable, TableError> {
 /// The header and segments that a table was made of.
 fn taken_apart(table: &ManeuverTable) -> (TableHeader, Option<ArcProfile>, Vec<Segment<f32>>) {
     let ManeuverTable { vehicle, kind, limits, heading_rad, start, end, arcs, .. } = *table;
-    let header = TableHeader { vehicle, kind, limits, heading_rad, start, end };
+    let header = TableHeader { vehicle, kind, link: LinkPolicy::Finish, limits, heading_rad, start, end };
     (header, arcs, table.segments().collect())
 }
 
@@ -134,7 +134,7 @@ prop_compose! {
         segments in prop::collection::vec(segment(), 1..=MAX_SEGMENTS),
     ) -> ManeuverTable {
         let start = State::from_array(start);
-        let mut header = TableHeader { vehicle, kind, limits, heading_rad, start, end: start };
+        let mut header = TableHeader { vehicle, kind, link: LinkPolicy::Finish, limits, heading_rad, start, end: start };
         let arcs = segments.iter().any(|s| s.inputs.rate == RateMode::Singular).then(|| {
             let width_s = wider / limits.rate_max_radps;
             ArcProfile { width_s: if left { -width_s } else { width_s }, peak_s }

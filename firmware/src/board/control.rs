@@ -16,13 +16,13 @@ use embassy_stm32::interrupt::InterruptExt;
 use embassy_sync::blocking_mutex::Mutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_time::Instant;
-use mintime_firmware::config::{BoardStatus, Capabilities, VehicleConfig};
+use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleConfig};
 use mintime_firmware::dshot::Frame;
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::pacing::Pacer;
 use mintime_firmware::watch::{RECEIVE_BYTES, Watch};
-use mintime_shared::messages::BoardTelemetry;
+use mintime_shared::messages::{BoardTelemetry, KillSwitch};
 use static_cell::StaticCell;
 
 use super::dshot::Motors;
@@ -154,8 +154,7 @@ impl Control {
 
     fn tick(&mut self, now_us: u64, imu: Option<ImuSample>, edge: Option<u32>) {
         let battery_v = battery::voltage();
-        // This board has no kill switch.
-        let input = TickInput { now_us, imu, battery_v, kill: false };
+        let input = TickInput { now_us, imu, battery_v, kill: KillSwitch::Run };
         let output = self.vehicle.tick(&input);
         let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
         self.motors.send(&frames, edge);
@@ -237,6 +236,7 @@ impl Control {
             // Outputs that do not work are not starting.
             starting: self.gyro_pending || (!motors && self.motors_well),
             telemetry: *measured,
+            store: StoreStatus::default(),
         };
         self.vehicle.set_board_status(&status);
         TELEMETRY.lock(|telemetry| telemetry.set(Some(*measured)));

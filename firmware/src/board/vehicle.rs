@@ -5,7 +5,7 @@ use core::cell::UnsafeCell;
 use core::mem::MaybeUninit;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-use mintime_firmware::config::{Capabilities, VehicleConfig};
+use mintime_firmware::config::Capabilities;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_firmware::watch::Watch;
 use mintime_shared::messages::RECORD_BYTES;
@@ -46,7 +46,7 @@ pub(super) fn take() -> &'static mut BoardVehicle {
         memory.write_bytes(0, 1);
         (*memory).assume_init_mut()
     };
-    VEHICLE.init_with(|| Vehicle::new(VehicleConfig::REFERENCE, CAPABILITIES, record))
+    VEHICLE.init_with(|| Vehicle::new(None, CAPABILITIES, record))
 }
 
 struct WatchCell(UnsafeCell<Watch>);

@@ -62,7 +62,7 @@ use crate::vehicle::VehicleConfig;
 /// Raised with every change of a message.
 pub const PROTOCOL_VERSION: u8 = 3;
 /// Most bytes of a table in one chunk.
-pub const STAGE_CHUNK_BYTES: usize = 112;
+pub const STAGE_CHUNK_BYTES: usize = 128;
 /// Tables that a vehicle stores by name.
 pub const STORED_TABLES: usize = 8;
 

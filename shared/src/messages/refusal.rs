@@ -95,31 +95,37 @@ pub enum Refusal {
     OtherPurpose,
 }
 
-/// Why a guided turn says nothing of the gyro's scale.
+/// Why guided turns say nothing of the gyro's scale. Nothing has changed; begin again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 pub enum CalibrationError {
-    /// It did not rest at the beginning or the end.
-    #[error("the vehicle did not rest before and after the turn: put it down and keep it still")]
+    /// No such axis, no turns or too many.
+    #[error("give axis 0, 1 or 2 (forward, left, up) and 1 to 4 whole turns, or -1 to -4 for the other direction")]
+    Turns,
+    /// It never stood still.
+    #[error("the vehicle did not stand still: put it down against an edge, let go, and begin again")]
     NotStill,
-    /// The other axes turned too.
-    #[error("the vehicle turned about other axes too: guide it along a straight edge")]
-    Wobble,
-    /// It turned the other way.
-    #[error("the vehicle turned the other way: positive turns are right-handed about the axis")]
-    Direction,
-    /// The scale that follows cannot be true.
-    #[error("the turn does not fit: more than 5 % off. Was it the stated number of whole turns?")]
-    Implausible,
-    /// It took too long.
-    #[error("the turn took too long for the gyro's drift: turn within 30 s")]
-    TooLong,
-    /// It turned faster than the gyro measures.
-    #[error("the vehicle turned faster than the gyro measures: turn slower")]
+    /// It was never turned.
+    #[error("the vehicle was not turned: begin again and turn it within 20 s")]
+    NotTurned,
+    /// Turned the other way round.
+    #[error("turned in the wrong direction: begin again and turn it the other way, or give the turns with a minus sign")]
+    WrongDirection,
+    /// Turned faster than the gyro measures.
+    #[error("turned too fast for the gyro: begin again and take a second or more for each turn")]
     TooFast,
-    /// No such axis, no turns, or too many.
-    #[error("turn 1 to 10 whole turns about axis 0, 1 or 2 (forward, left, up)")]
-    Request,
-    /// Samples were missing.
-    #[error("the gyro lost samples during the turn: check its wiring")]
-    LostSamples,
+    /// Not finished in time.
+    #[error("the turns took too long, and the bias drifts meanwhile: begin again and finish within 30 s")]
+    TooSlow,
+    /// Turned further than asked for.
+    #[error("turned further than asked for: begin again and count the turns")]
+    TooFar,
+    /// Another axis has turned too.
+    #[error("the vehicle did not end as it began: turn it about one axis only and put it back against the same edge")]
+    Wobble,
+    /// The bias changed meanwhile.
+    #[error("the gyro's bias has drifted: let the board warm up for some minutes and begin again")]
+    BiasDrift,
+    /// The scale is off by more than a working gyro's.
+    #[error("the scale is off by more than 5 %: check the number of turns and that it ends as it began")]
+    Implausible,
 }

@@ -191,13 +191,11 @@ impl ArmingBlock {
     pub const NO_VEHICLE: Self = Self(1 << 16);
     /// Flash is being written.
     pub const STORING: Self = Self(1 << 17);
-    /// The host was not heard of lately.
-    pub const NO_HOST: Self = Self(1 << 18);
     /// Down after a recovery, not disarmed.
-    pub const LANDED: Self = Self(1 << 19);
+    pub const LANDED: Self = Self(1 << 18);
 
     /// Each bit with the sentence that says what to do.
-    pub const REASONS: [(Self, &'static str); 20] = [
+    pub const REASONS: [(Self, &'static str); 19] = [
         (Self::NO_GYRO, "no gyro on this board"),
         (Self::NO_MOTORS, "no motor outputs on this board"),
         (Self::GYRO_SILENT, "the gyro delivers no samples"),
@@ -223,7 +221,6 @@ impl ArmingBlock {
         (Self::TILTED, "the vehicle does not stand upright: put it on level ground"),
         (Self::NO_VEHICLE, "the vehicle does not know its mass and motors: `mintime vehicle PORT params --file`"),
         (Self::STORING, "flash is being written: wait a second"),
-        (Self::NO_HOST, "the host is not heard: check the link"),
         (Self::LANDED, "down after a recovery: disarm first"),
     ];
 

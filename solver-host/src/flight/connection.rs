@@ -134,8 +134,8 @@ pub(crate) fn describe(state: FlightState) -> &'static str {
         FlightState::Armed => "armed",
         FlightState::Tracking => "flying",
         FlightState::Maneuver => "in a maneuver",
-        FlightState::Recovery => "recovering by itself",
+        FlightState::Recovery => "coming down on its own",
         FlightState::Landed => "down after a recovery",
-        FlightState::Terminated => "terminated",
+        FlightState::Terminated => "stopped",
     }
 }

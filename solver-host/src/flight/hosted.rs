@@ -9,7 +9,7 @@ use mintime_firmware::config::{Capabilities, VehicleConfig};
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
-use mintime_shared::messages::RECORD_BYTES;
+use mintime_shared::messages::{KillSwitch, RECORD_BYTES};
 use mintime_shared::replay::TICK_PERIOD_US;
 use mintime_simulator::{Event, Simulator, SimulatorError};
 
@@ -51,7 +51,7 @@ impl HostedVehicle {
         let record = vec![[0; RECORD_BYTES]; RECORD_TICKS];
         Ok(Self {
             world: World::new(scene)?,
-            vehicle: Vehicle::new(VehicleConfig::REFERENCE, capabilities, record),
+            vehicle: Vehicle::new(Some(VehicleConfig::REFERENCE), capabilities, record),
             latency_ns: if is_planning_model(scene.parameters) { 0 } else { LATENCY_NS },
             to_vehicle: VecDeque::new(),
             to_host: Vec::new(),
@@ -86,7 +86,7 @@ impl HostedVehicle {
 
         let imu = sample.map(|s| ImuSample { gyro_radps: s.rates_radps, accel_mps2: s.specific_force_mps2 });
         let battery_v = Some(self.world.simulator.battery_v());
-        let input = TickInput { now_us: time_ns / 1000, imu, battery_v, kill: false };
+        let input = TickInput { now_us: time_ns / 1000, imu, battery_v, kill: KillSwitch::Run };
         let output = self.vehicle.tick(&input);
 
         let mut out = vec![0; budget];

@@ -23,7 +23,7 @@ pub use virtual_board::{BoardReport, VirtualBoardError, VirtualVehicle};
 pub use world::{Scene, Trace};
 
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
+    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, STAGE_CHUNK_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
     Request, Setpoint,
 };
 use mintime_shared::replay::Plan;
@@ -83,7 +83,7 @@ enum Ended {
 fn passes_by_itself(refusal: Refusal) -> bool {
     use ArmingBlock as B;
     let Refusal::ArmingBlocked(bits) = refusal else { return false };
-    let mut passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0 | B::STARTING.0;
+    let mut passing = B::NOT_CALIBRATED.0 | B::MOVING.0 | B::GYRO_SILENT.0 | B::STARTING.0 | B::STORING.0;
     if bits & B::STARTING.0 != 0 {
         passing |= B::BATTERY_UNKNOWN.0;
     }
@@ -151,7 +151,11 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
     fn run(&mut self, plan: &FlightPlan) -> Result<FlightResult, FlightError> {
         self.enter(Phase::Prepare);
         let ground = self.step()?.position_m;
-        let identity = self.identify()?;
+        let mut identity = self.identify()?;
+        if let Some(vehicle) = plan.vehicle.filter(|vehicle| vehicle.hash() != identity.vehicle) {
+            self.call("telling the vehicle what it is", Request::WriteVehicle(vehicle))?;
+            identity = self.identify()?;
+        }
         let checksum = self.upload(&plan.table)?;
         self.arm()?;
         self.level();
@@ -301,9 +305,14 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         const DURING: &str = "uploading the table";
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = table.encode(&mut buffer)?;
-        let bytes = heapless::Vec::from_slice(&buffer[..length]).map_err(|_| TableError::Length)?;
+        let bytes = &buffer[..length];
         let checksum = table.checksum();
-        self.call(DURING, Request::StageTable(bytes.clone()))?;
+        for (index, chunk) in bytes.chunks(STAGE_CHUNK_BYTES).enumerate() {
+            let chunk = heapless::Vec::from_slice(chunk).map_err(|_| TableError::Length)?;
+            // A table is far shorter than 64 KiB.
+            let (total, offset) = (length as u16, (index * STAGE_CHUNK_BYTES) as u16);
+            self.call(DURING, Request::Stage { total, offset, bytes: chunk })?;
+        }
         self.call(DURING, Request::CommitTable { checksum })?;
         match self.call(DURING, Request::ReadTable)? {
             Reply::Table(back) if back == bytes => Ok(checksum),
@@ -315,7 +324,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
     fn arm(&mut self) -> Result<(), FlightError> {
         let since = self.now_s;
         loop {
-            match self.call("arming", Request::Arm) {
+            match self.call("arming", Request::Arm(Purpose::Flight)) {
                 Ok(_) => return Ok(()),
                 Err(FlightError::Client { source: ClientError::Refused(refusal), .. }) => {
                     if !passes_by_itself(refusal) || self.now_s - since > READY_TIMEOUT_S {
@@ -360,7 +369,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             let heading_rad = HEADING_RAD;
             self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
             let estimate =
-                self.watch("flying", &[FlightState::Armed, FlightState::Flying, FlightState::Disarmed])?;
+                self.watch("flying", &[FlightState::Armed, FlightState::Tracking, FlightState::Disarmed])?;
             if estimate.position_m.z - from.z > LANDED_HEIGHT_M && self.calmness == Calmness::Grounded {
                 self.calmness = Calmness::Calm;
             }
@@ -378,7 +387,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let mut open_since = None;
         let (mut least_tilt, mut least_speed) = (f64::INFINITY, f64::INFINITY);
         while self.now_s - since < GATE_TIMEOUT_S {
-            let estimate = self.watch("hovering", &[FlightState::Flying])?;
+            let estimate = self.watch("hovering", &[FlightState::Tracking])?;
             let (tilt, speed) = (estimate.tilt_rad(), estimate.velocity_mps.norm());
             let (least_t, least_s) = (least_tilt.min(tilt), least_speed.min(speed));
             (least_tilt, least_speed) = (least_t, least_s);
@@ -426,12 +435,12 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             self.watch(
                 "in a maneuver",
-                &[FlightState::Flying, FlightState::Maneuver, FlightState::LinkLost, FlightState::Stopped],
+                &[FlightState::Tracking, FlightState::Maneuver, FlightState::Recovery, FlightState::Terminated],
             )?;
             let Some(t) = self.client.telemetry().copied() else { continue };
             seen |= t.state == FlightState::Maneuver;
             let late = self.now_s - since > duration_s + TRIGGER_TIMEOUT_S;
-            if t.state == FlightState::Stopped {
+            if t.state == FlightState::Terminated {
                 return Err(FlightError::Lost { during: "in a maneuver", state: t.state, reason: t.abort });
             }
             if late || (seen && t.state != FlightState::Maneuver) {
@@ -449,7 +458,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         let mut settled_since = None;
         while self.now_s - since < CATCH_TIMEOUT_S {
             let estimate =
-                self.watch("flying", &[FlightState::Flying, FlightState::LinkLost, FlightState::Maneuver])?;
+                self.watch("flying", &[FlightState::Tracking, FlightState::Recovery, FlightState::Maneuver])?;
             if self.now_s - since > 1.5 {
                 self.calmness = Calmness::Calm;
             }
@@ -482,7 +491,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             let heading_rad = HEADING_RAD;
             self.reference =
                 Some(Reference { position_m: top - Vector3::z() * depth, velocity_mps, heading_rad });
-            let estimate = self.watch("flying", &[FlightState::Flying])?;
+            let estimate = self.watch("flying", &[FlightState::Tracking])?;
             if estimate.position_m.z - ground_z_m < LANDED_HEIGHT_M {
                 break;
             }

@@ -2,6 +2,7 @@
 
 use mintime_shared::messages::{AbortReason, FlightState, Identity, RecordedTick, Refusal};
 use mintime_shared::table::{ManeuverTable, TableError};
+use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
 use super::client::ClientError;
@@ -14,6 +15,8 @@ pub struct FlightPlan {
     pub table: ManeuverTable,
     /// Where the maneuver starts, world frame, m.
     pub start_m: Vector3<f64>,
+    /// What the vehicle is, to be told where it does not know; `None` for a real one, which nobody but a person tells.
+    pub vehicle: Option<VehicleConfig>,
 }
 
 impl FlightPlan {

@@ -259,7 +259,7 @@ impl VirtualVehicle {
         let time_ns = sample.as_ref().map_or(now_ns, |(ns, _)| *ns);
         let sample = sample.as_ref().map(|(_, sample)| sample);
         self.world.log(&Tick { time_ns, sample, state, setpoint, throttle: self.throttle });
-        if state == FlightState::Flying || state == FlightState::Maneuver {
+        if state == FlightState::Tracking || state == FlightState::Maneuver {
             if self.flown_ticks == 0 {
                 self.begin_measuring();
             }
