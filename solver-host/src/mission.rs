@@ -456,7 +456,18 @@ pub const PROTOCOL: u8 = PROTOCOL_VERSION;
 /// # Errors
 /// [`MissionError`]; nothing has moved.
 pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, MissionError> {
-    let config = VehicleConfig::REFERENCE;
+    prepare_for(source, room, &VehicleConfig::REFERENCE)
+}
+
+/// The same for a given vehicle.
+///
+/// # Errors
+/// [`MissionError`]; nothing has moved.
+pub fn prepare_for(
+    source: &Source,
+    room: Option<&Room>,
+    config: &VehicleConfig,
+) -> Result<Prepared, MissionError> {
     let (table, solution) = match source {
         Source::Solve { to, limits, turns, heading_rad } => {
             // The solver takes limits that cannot sink; a vehicle that must hover first cannot.

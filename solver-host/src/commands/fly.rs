@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
@@ -12,6 +12,7 @@ use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
 use super::limits::PlanArguments;
+use super::live::LiveArguments;
 use super::numbers::{self, Displacement};
 use super::print;
 use super::progress::Progress;
@@ -38,9 +39,13 @@ pub(crate) struct Fly {
     save_table: Option<PathBuf>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// What flies
-    #[arg(long, value_enum, default_value = "virtual")]
+    /// What flies: `virtual` (the very firmware image that gets flashed, on an emulated flight controller), `hosted` (the
+    /// flight logic in this process: no image needed, twenty times as fast), or the port of a real vehicle: a serial device,
+    /// tcp:HOST:PORT or udp:HOST:PORT
+    #[arg(long, value_name = "virtual|hosted|PORT", default_value = "virtual")]
     vehicle: VehicleKind,
+    #[command(flatten)]
+    live: LiveArguments,
     /// The image that the virtual flight controller runs; built from the sources if not given
     #[arg(long, value_name = "FILE.elf")]
     firmware: Option<PathBuf>,
@@ -70,12 +75,21 @@ pub(crate) struct Fly {
 }
 
 /// What can fly.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, PartialEq, Eq)]
 enum VehicleKind {
-    /// The very firmware image that gets flashed, on an emulated flight controller
     Virtual,
-    /// The flight logic in this process: no image needed, twenty times as fast
     Hosted,
+    Port(String),
+}
+
+impl From<&str> for VehicleKind {
+    fn from(text: &str) -> Self {
+        match text {
+            "virtual" => Self::Virtual,
+            "hosted" => Self::Hosted,
+            port => Self::Port(port.to_owned()),
+        }
+    }
 }
 
 impl Fly {
@@ -108,7 +122,7 @@ impl Fly {
     }
 
     fn vehicle(&self, progress: &Progress) -> Result<VehicleChoice, Box<dyn Error>> {
-        Ok(match (self.vehicle, &self.firmware) {
+        Ok(match (&self.vehicle, &self.firmware) {
             (VehicleKind::Hosted, None) => VehicleChoice::Hosted,
             (VehicleKind::Hosted, Some(_)) => {
                 return Err(
@@ -116,7 +130,7 @@ impl Fly {
                         .into(),
                 );
             }
-            (VehicleKind::Virtual, path) => {
+            (_, path) => {
                 let image = firmware(path.as_deref(), progress)?;
                 VehicleChoice::Virtual { image, both_timings: true }
             }

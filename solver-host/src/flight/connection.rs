@@ -1,6 +1,7 @@
 //! What a flight needs of the world: a serial line to a vehicle, and motion capture that watches it.
 
 use mintime_shared::messages::FlightState;
+use mintime_shared::seal::PairingKey;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::motion_capture::CaptureError;
@@ -69,8 +70,12 @@ pub enum ConnectionError {
     /// The port failed.
     #[error(transparent)]
     Port(#[from] PortError),
+    /// No pose, but none is due: before take-off, or while the maneuver hides the vehicle from the cameras. The host says
+    /// that it is there and waits on.
+    #[error("the cameras do not see the vehicle yet")]
+    Blind,
     /// A person pressed a key.
-    #[error("stopped by a key")]
+    #[error("stopped by a key: the motors were switched off")]
     Stopped,
     /// The virtual board came to a halt.
     #[error("the virtual board has stopped: {0}")]
@@ -121,6 +126,10 @@ pub trait Connection {
     /// # Errors
     /// [`ConnectionError::Line`].
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError>;
+    /// The key that vehicle and host share, where they are paired.
+    fn key(&self) -> Option<PairingKey> {
+        None
+    }
     /// Told where the flight is.
     fn enter(&mut self, phase: Phase);
 }

@@ -75,6 +75,11 @@ impl Monitor {
         }
     }
 
+    /// Where the body may be from now on.
+    pub fn confine(&mut self, room: Volume) {
+        self.room = Some(room);
+    }
+
     /// Samples that were not believed.
     pub fn refused(&self) -> u64 {
         self.refused

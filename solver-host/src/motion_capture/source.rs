@@ -67,6 +67,11 @@ impl Capture {
         self.address
     }
 
+    /// Where the body may be from now on.
+    pub fn confine(&mut self, room: Volume) {
+        self.monitor.confine(room);
+    }
+
     /// Samples that were not believed.
     pub fn refused(&self) -> u64 {
         self.monitor.refused()

@@ -4,9 +4,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use mintime_shared::seal::PairingKey;
+
 use super::link::{Link as _, PortLink};
 use crate::flight::{Connection, ConnectionError, Line as _, Phase, Pose};
-use crate::motion_capture::Capture;
+use crate::motion_capture::{Capture, Volume};
 
 /// Motion capture is waited for in pieces of this, so that a key is heeded soon.
 const LOOK: Duration = Duration::from_millis(10);
@@ -22,6 +24,8 @@ pub struct LiveOptions {
     pub maneuver_s: f64,
     /// Set by whoever wants to stop the flight.
     pub stop: Arc<AtomicBool>,
+    /// The key that vehicle and host share.
+    pub key: Option<PairingKey>,
 }
 
 /// A real vehicle and the cameras.
@@ -43,6 +47,11 @@ impl LiveVehicle {
     pub fn new(link: PortLink, capture: Capture, options: LiveOptions) -> Self {
         let entered_s = link.now_s();
         Self { link, capture, options, phase: Phase::Prepare, entered_s, stopped: false }
+    }
+
+    /// Where the vehicle may be from now on.
+    pub fn confine(&mut self, room: Volume) {
+        self.capture.confine(room);
     }
 
     fn in_the_air(&self) -> bool {
@@ -71,11 +80,11 @@ impl Connection for LiveVehicle {
             if let Some(pose) = self.capture.next(LOOK, self.in_the_air())? {
                 return Ok(pose);
             }
-            let trouble = self.capture.trouble();
-            if let Some(error) = trouble
-                && self.link.now_s() > self.patient_until_s()
-            {
-                return Err(error.into());
+            // What the vehicle says meanwhile is kept.
+            self.link.wait(0.0)?;
+            if let Some(error) = self.capture.trouble() {
+                let due = self.link.now_s() > self.patient_until_s();
+                return Err(if due { error.into() } else { ConnectionError::Blind });
             }
         }
     }
@@ -86,6 +95,10 @@ impl Connection for LiveVehicle {
 
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
         self.link.receive(into)
+    }
+
+    fn key(&self) -> Option<PairingKey> {
+        self.options.key
     }
 
     fn enter(&mut self, phase: Phase) {

@@ -106,6 +106,11 @@ impl<L: Link> Session<L> {
         self.link.now_s()
     }
 
+    /// The link, for somebody else.
+    pub fn into_link(self) -> L {
+        self.link
+    }
+
     /// Asks again who it is.
     ///
     /// # Errors
