@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{check_writable, write_mcap};
-use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
+use mintime::mission::{self, Flown, Prepared, Mission, PlantChoice, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
@@ -137,6 +137,34 @@ impl Fly {
         })
     }
 
+    fn fly_simulated(&self, mission: &Mission, progress: &mut Progress) -> Result<Flown, Box<dyn Error>> {
+        if self.live.are_given() {
+            return Err("--mocap is for a real vehicle: name its port with --vehicle PORT".into());
+        }
+        progress.say("computing the maneuver");
+        let prepared = mission::prepare(&mission.source, mission.room.as_ref())?;
+        self.save(&prepared)?;
+        let vehicle = self.vehicle(progress)?;
+        Ok(mission::fly_mission(mission, prepared, &vehicle, progress)?)
+    }
+
+    fn fly_real(&self, port: &str, mission: &Mission, progress: &mut Progress) -> Result<Flown, Box<dyn Error>> {
+        if self.firmware.is_some() {
+            return Err("a real vehicle has its firmware already: leave out --firmware".into());
+        }
+        progress.say("asking the vehicle what it is, computing the maneuver");
+        let live = self.live.prepare(port, mission)?;
+        self.save(live.prepared())?;
+        self.live.fly(live, progress)
+    }
+
+    fn save(&self, prepared: &Prepared) -> Result<(), Box<dyn Error>> {
+        if let Some(path) = &self.save_table {
+            write_bytes(path, &prepared.bytes)?;
+        }
+        Ok(())
+    }
+
     /// Whether it was flown to its end and caught.
     fn fly(&self) -> Result<bool, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
@@ -147,15 +175,11 @@ impl Fly {
         let mission = self.mission()?;
 
         let mut progress = Progress::new();
-        progress.say("computing the maneuver");
-        let prepared =
-            mission::prepare(&mission.source, mission.room.as_ref()).inspect_err(|_| progress.finish())?;
-        if let Some(path) = &self.save_table {
-            write_bytes(path, &prepared.bytes)?;
+        let flown = match &self.vehicle {
+            VehicleKind::Port(port) => self.fly_real(port, &mission, &mut progress),
+            _ => self.fly_simulated(&mission, &mut progress),
         }
-        let vehicle = self.vehicle(&progress).inspect_err(|_| progress.finish())?;
-        let flown = mission::fly_mission(&mission, prepared, &vehicle, &mut progress)
-            .inspect_err(|_| progress.finish())?;
+        .inspect_err(|_| progress.finish())?;
 
         progress.say("writing the log and the picture");
         write_mcap(&recording::log(&mission, &flown, std::mem::take(&mut progress.events)), &self.log)?;

@@ -41,6 +41,12 @@ pub(crate) struct Live {
     key: Option<[u8; 16]>,
 }
 
+impl Live {
+    pub(crate) fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+}
+
 impl LiveArguments {
     /// Whether any of them was given.
     pub(crate) fn are_given(&self) -> bool {
