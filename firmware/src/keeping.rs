@@ -11,45 +11,13 @@ use mintime_shared::settings::Settings;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 
-/// Longest value, bytes.
-pub const VALUE_BYTES: usize = 256;
+pub use crate::store::{Key, VALUE_BYTES};
+
 /// First byte of each value: the layout of what follows. Another one is not read.
 const LAYOUT: u8 = 1;
 
 /// A value as it lies in flash.
 pub type Value = Vec<u8, VALUE_BYTES>;
-
-/// What is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Key {
-    /// The vehicle file.
-    Vehicle,
-    /// The settings.
-    Settings,
-    /// The pairing key.
-    Pairing,
-    /// A table by name, in one of [`STORED_TABLES`] places.
-    Table(u8),
-}
-
-impl Key {
-    /// All keys.
-    pub fn all() -> impl Iterator<Item = Self> {
-        // Eight places.
-        let tables = (0..STORED_TABLES as u8).map(Self::Table);
-        [Self::Vehicle, Self::Settings, Self::Pairing].into_iter().chain(tables)
-    }
-
-    /// The key's number in flash.
-    pub fn number(self) -> u8 {
-        match self {
-            Self::Vehicle => 1,
-            Self::Settings => 2,
-            Self::Pairing => 3,
-            Self::Table(place) => 16_u8.saturating_add(place),
-        }
-    }
-}
 
 /// Something to be written.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +36,8 @@ pub(crate) struct Slot {
     pub(crate) listing: StoredTable,
     pub(crate) bytes: Vec<u8, MAX_TABLE_BYTES>,
 }
+
+const _: () = assert!(STORED_TABLES == crate::store::TABLES as usize);
 
 /// The eight places.
 pub(crate) type Slots = [Option<Slot>; STORED_TABLES];

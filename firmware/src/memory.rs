@@ -5,6 +5,7 @@ use mintime_shared::messages::{
 };
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
+use mintime_shared::vehicle::VehicleConfig;
 
 use crate::calibration::{Axis, ScaleCalibration};
 use crate::config::StoreStatus;
@@ -52,6 +53,11 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// What waits to be acknowledged.
     pub fn incident(&self) -> Option<Incident> {
         self.incident
+    }
+
+    /// What the vehicle is, or is taken for until it has been told.
+    pub fn config(&self) -> &VehicleConfig {
+        &self.config
     }
 
     /// The settings in force.

@@ -89,6 +89,11 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.incident()
     }
 
+    /// Whether a measured battery voltage can be this vehicle's.
+    pub fn is_plausible_battery(&self, volts: Option<f32>) -> bool {
+        volts.is_some_and(|v| self.logic.config().is_plausible_battery(v))
+    }
+
     /// What the supervisor is doing.
     pub fn state(&self) -> FlightState {
         self.logic.state()

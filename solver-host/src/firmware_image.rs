@@ -17,6 +17,7 @@ const PACKAGE: &str = "mintime-firmware";
 pub struct FirmwareImage {
     elf: Vec<u8>,
     content: Vec<u8>,
+    flash_bytes: usize,
     path: PathBuf,
 }
 
@@ -70,10 +71,13 @@ impl FirmwareImage {
     pub fn read(path: &Path) -> Result<Self, FirmwareImageError> {
         let elf = std::fs::read(path)
             .map_err(|source| FirmwareImageError::Read { path: path.to_owned(), source })?;
-        let content = emulator::machine::flash_content(&elf).map_err(|error| {
-            FirmwareImageError::Content { path: path.to_owned(), reason: error.to_string() }
-        })?;
-        Ok(Self { elf, content, path: path.to_owned() })
+        let refuse = |error: emulator::machine::ImageError| FirmwareImageError::Content {
+            path: path.to_owned(),
+            reason: error.to_string(),
+        };
+        let content = emulator::machine::flash_content(&elf).map_err(refuse)?;
+        let flash_bytes = emulator::machine::loaded(&elf).map_err(refuse)?.iter().map(|(_, bytes)| bytes).sum();
+        Ok(Self { elf, content, flash_bytes, path: path.to_owned() })
     }
 
     /// Builds the image from the sources beside this crate, in a target folder of its own so that no other build waits for
@@ -143,9 +147,9 @@ impl FirmwareImage {
         Sha256::digest(&self.content).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// Bytes of flash that it takes.
+    /// Bytes of flash that it takes, without the gap in which the board keeps its store.
     pub fn flash_bytes(&self) -> usize {
-        self.content.len()
+        self.flash_bytes
     }
 }
 

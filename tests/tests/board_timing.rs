@@ -7,7 +7,6 @@ use emulator::Machine;
 use emulator::boards::SpeedyBeeF405V3;
 use emulator::chip::Chip;
 use emulator::core::Timing;
-use emulator::machine::flash_content;
 use mintime::firmware_image::FirmwareImage;
 use mintime::flight::{
     Connection, ConnectionError, FlightPlan, Outcome, Phase, Pose, Scene, VirtualVehicle, Witness, fly,
@@ -229,7 +228,7 @@ fn the_motors_have_their_frame_on_time_with_a_saturated_link() {
     assert_eq!(report.bugs, [""; 0]);
     assert!(busy.board.stack_used_bytes <= 8192, "{:?}", busy.board);
     assert!(busy.answers > 500, "the filling was heard: {}", busy.answers);
-    let flash = flash_content(image().elf()).expect("an image").len();
+    let flash = image().flash_bytes();
     assert!(flash <= 128 * 1024, "{flash} bytes of flash");
 }
 

@@ -5,6 +5,7 @@
 //! | gyro BMI270 | SPI1 (PA5 SCK, PA6 MISO, PA7 MOSI), chip select PA4, data ready PC4 |
 //! | motors 1..4 | PB6, PB7, PB8, PB9 |
 //! | link | USART1 (PA9 TX, PA10 RX) |
+//! | radio receiver, if one is plugged in | USART2 (PA3 RX) |
 //! | battery, current | PC0, PC1 |
 //! | LED, beeper | PC8 (low lights), PC5 |
 //!
@@ -14,7 +15,7 @@
 use std::collections::VecDeque;
 
 use crate::chip::{Board, Chip, Effects, Pin, Pulse, SerialByte, SpiWord};
-use crate::devices::{Battery, Bmi270, DshotEsc, Latency};
+use crate::devices::{Battery, Bmi270, CRSF_BAUD, CrsfReceiver, DshotEsc, Latency};
 use crate::memory::Memory;
 
 const GYRO_SELECT: Pin = Pin::new('A', 4);
@@ -25,6 +26,7 @@ const BATTERY: Pin = Pin::new('C', 0);
 const CURRENT: Pin = Pin::new('C', 1);
 const GYRO_BUS: u8 = 1;
 const LINK: u8 = 1;
+const RECEIVER: u8 = 2;
 /// Motor updates kept while nobody drains them: a second of frames for four motors, and some.
 const MOST_UPDATES: usize = 4096;
 
@@ -37,6 +39,8 @@ pub struct SpeedyBeeF405V3 {
     pub escs: [DshotEsc; 4],
     /// The battery.
     pub battery: Battery,
+    /// The radio receiver, none at first.
+    pub receiver: Option<CrsfReceiver>,
     /// Voltage of the current sensor (V).
     pub current_sensor_v: f64,
     /// From data ready to the end of the motor frames.
@@ -79,6 +83,7 @@ impl SpeedyBeeF405V3 {
             gyro: Bmi270::new(),
             escs: std::array::from_fn(|n| DshotEsc::new(&format!("motor {}", n + 1))),
             battery: Battery { volts: 16.8, divider: 11.0 },
+            receiver: None,
             current_sensor_v: 0.0,
             latency: Latency::default(),
             crystal_hz: 8_000_000,
@@ -172,7 +177,8 @@ impl Board for SpeedyBeeF405V3 {
     }
 
     fn next_event_ns(&self) -> u64 {
-        self.gyro.next_event_ns()
+        let receiver_ns = self.receiver.as_ref().map_or(u64::MAX, CrsfReceiver::next_event_ns);
+        self.gyro.next_event_ns().min(receiver_ns)
     }
 
     fn advance(&mut self, ns: u64, effects: &mut Effects) {
@@ -180,6 +186,9 @@ impl Board for SpeedyBeeF405V3 {
             self.latency.edge(edge_ns);
         }
         self.follow_ready(effects);
+        if let Some(bytes) = self.receiver.as_mut().and_then(|receiver| receiver.advance(ns)) {
+            effects.serial.push((RECEIVER, CRSF_BAUD, bytes));
+        }
     }
 }
 
@@ -194,6 +203,11 @@ impl Chip<SpeedyBeeF405V3> {
     /// Voltage of the battery (V).
     pub fn set_battery_v(&mut self, memory: &mut Memory, volts: f64) {
         self.with_board(memory, |board, _| board.battery.volts = volts);
+    }
+
+    /// Plugs a radio receiver in, or pulls it out.
+    pub fn set_receiver(&mut self, memory: &mut Memory, receiver: Option<CrsfReceiver>) {
+        self.with_board(memory, |board, _| board.receiver = receiver);
     }
 
     /// Bytes that the host sends over the link, from `ns` on, back to back.

@@ -52,7 +52,7 @@ impl<B: Board> Chip<B> {
             Block::Flash => self.flash.read(register),
             Block::Dma(n) => self.dma[usize::from(n)].read(register),
             Block::BackupSram => return self.minor.read_backup_sram(offset, bytes(access.width)),
-            Block::Rng => self.minor.read_rng(register),
+            Block::Rng => self.minor.rng().read(register, self.clock.ns(at)),
             Block::Debug => self.minor.read_debug(register),
         };
         let lanes = word >> (8 * (offset & 3));
@@ -121,7 +121,10 @@ impl<B: Board> Chip<B> {
                 }
                 self.refresh(block);
             }
-            Block::Pwr => self.minor.write_pwr(register, value),
+            Block::Pwr => {
+                let change = self.minor.write_pwr(register, value);
+                self.supply_detected(change);
+            }
             Block::Adc => self.write_adc(memory, register, access, value),
             Block::Syscfg => self.exti.write_syscfg(register, value),
             Block::Exti => {
@@ -136,9 +139,17 @@ impl<B: Board> Chip<B> {
                 self.flash_done(memory, access, done);
             }
             Block::Dma(n) => self.write_dma(memory, n, register, access, value),
-            Block::Rng => self.minor.write_rng(register, value),
+            Block::Rng => self.minor.rng().write(register, value, self.clock.ns(at)),
             Block::Debug => self.minor.write_debug(register, value),
             Block::BackupSram => {}
+        }
+    }
+
+    /// The voltage detector's output changed: line 16 of the external interrupts (RM0090 section 12.2.5).
+    pub(super) fn supply_detected(&mut self, change: Option<bool>) {
+        if let Some(low) = change {
+            self.exti.edge(16, low);
+            self.refresh(Block::Exti);
         }
     }
 

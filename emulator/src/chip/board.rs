@@ -35,6 +35,8 @@ pub struct SpiWord {
 pub struct Effects {
     /// Pins the board drives from now on, and how; `None` lets go.
     pub levels: Vec<(Pin, Option<bool>)>,
+    /// What devices send to serial ports from now on: port (1..=6), speed (baud), bytes.
+    pub serial: Vec<(u8, u32, Vec<u8>)>,
     /// Mistakes of the firmware that a device noticed. A device says the same thing once.
     pub bugs: Vec<String>,
 }

@@ -48,6 +48,8 @@ pub(crate) struct Flash {
     option_keys_seen: usize,
     optcr: u32,
     erase: Option<Erase>,
+    /// The programming under way: where, and what was there.
+    programming: Option<(u32, Vec<u8>)>,
     busy: bool,
     /// Where erase times lie between typical (0) and longest (1).
     pub(crate) slowness: f64,
@@ -81,6 +83,7 @@ impl Flash {
             option_keys_seen: 0,
             optcr: 0x0FFF_AAED,
             erase: None,
+            programming: None,
             busy: false,
             slowness: 0.0,
         }
@@ -162,6 +165,7 @@ impl Flash {
             // A word may be written again only if no bit has to rise.
             old.iter().zip(bytes).any(|(old, new)| !old & new != 0)
         });
+        self.programming = memory.flash.get(place..place + bytes.len()).map(|old| (offset, old.to_vec()));
         memory.program_flash(offset, bytes);
         self.busy = true;
         Done {
@@ -174,6 +178,7 @@ impl Flash {
     /// The operation is done.
     pub(crate) fn finish(&mut self, memory: &mut Memory) {
         self.busy = false;
+        self.programming = None;
         self.cr &= !CR_STRT;
         if self.cr & CR_EOPIE != 0 {
             self.sr |= SR_EOP;
@@ -181,6 +186,19 @@ impl Flash {
         if let Some(Erase { offset, bytes }) = self.erase.take() {
             memory.overwrite_flash(offset, &vec![0xFF; bytes as usize]);
         }
+    }
+
+    /// The power fails: of what is being programmed some bits have fallen (an erase under way has left garbage already).
+    pub(crate) fn cut(&mut self, memory: &mut Memory, noise: u64) {
+        let Some((offset, old)) = self.programming.take() else { return };
+        let at = offset as usize;
+        let cut: Vec<u8> = old
+            .iter()
+            .zip(memory.flash[at..at + old.len()].iter())
+            .zip(noise.to_le_bytes())
+            .map(|((old, new), some)| new | old & some)
+            .collect();
+        memory.overwrite_flash(offset, &cut);
     }
 
     fn fail(&mut self, flag: u32) {

@@ -1,4 +1,6 @@
-//! Peripherals that are little more than memory: PWR, RTC and its backup registers, CRC, RNG, DBGMCU.
+//! Peripherals that are little more than memory: PWR, RTC and its backup registers, CRC, DBGMCU.
+
+use super::rng::Rng;
 
 /// Device identity: STM32F405 (0x413), the latest revision (0x100F).
 const IDCODE: u32 = 0x100F_6413;
@@ -11,8 +13,11 @@ pub(crate) struct Minor {
     rtc: [u32; 40],
     crc: u32,
     crc_spare: u8,
-    rng_cr: u32,
-    rng_state: u64,
+    rng: Rng,
+    /// Supply of the chip (V).
+    supply_v: f64,
+    /// Output of the voltage detector.
+    pvdo: bool,
     debug: [u32; 3],
     backup_sram: Box<[u8]>,
 }
@@ -25,8 +30,9 @@ impl Minor {
             rtc: reset_rtc(),
             crc: u32::MAX,
             crc_spare: 0,
-            rng_cr: 0,
-            rng_state: 0x0123_4567_89AB_CDEF,
+            rng: Rng::new(),
+            supply_v: 3.3,
+            pvdo: false,
             debug: [0; 3],
             backup_sram: vec![0; 4096].into(),
         }
@@ -46,6 +52,7 @@ impl Minor {
 
     pub(crate) fn reset_pwr(&mut self) {
         (self.pwr_cr, self.pwr_csr) = (0x4000, self.pwr_csr & 0x200);
+        self.pvdo = false;
     }
 
     pub(crate) fn reset_crc(&mut self) {
@@ -53,7 +60,7 @@ impl Minor {
     }
 
     pub(crate) fn reset_rng(&mut self) {
-        self.rng_cr = 0;
+        self.rng.reset();
     }
 
     /// PWR_CR.DBP: the backup domain may be written.
@@ -65,17 +72,20 @@ impl Minor {
         match offset {
             0x00 => self.pwr_cr,
             // The regulators are always ready: VOSRDY, and BRR once BRE is on.
-            0x04 => self.pwr_csr | 1 << 14 | (self.pwr_csr >> 9 & 1) << 3,
+            // PVDO is bit 2.
+            0x04 => self.pwr_csr | 1 << 14 | (self.pwr_csr >> 9 & 1) << 3 | u32::from(self.pvdo) << 2,
             _ => 0,
         }
     }
 
-    pub(crate) fn write_pwr(&mut self, offset: u32, value: u32) {
+    /// Answers whether the voltage detector's output changed, and to what.
+    pub(crate) fn write_pwr(&mut self, offset: u32, value: u32) -> Option<bool> {
         match offset {
             0x00 => self.pwr_cr = value & 0x43F3,
             0x04 => self.pwr_csr = value & 0x300,
             _ => {}
         }
+        self.detect()
     }
 
     pub(crate) fn read_rtc(&self, offset: u32) -> u32 {
@@ -118,27 +128,27 @@ impl Minor {
         }
     }
 
-    pub(crate) fn read_rng(&mut self, offset: u32) -> u32 {
-        match offset {
-            0x00 => self.rng_cr,
-            0x04 => self.rng_cr >> 2 & 1,
-            0x08 if self.rng_cr >> 2 & 1 == 1 => {
-                // Xorshift: random enough, and the same on every run.
-                let mut x = self.rng_state;
-                x ^= x << 13;
-                x ^= x >> 7;
-                x ^= x << 17;
-                self.rng_state = x;
-                (x >> 32) as u32
-            }
-            _ => 0,
-        }
+    /// The random number generator.
+    pub(crate) fn rng(&mut self) -> &mut Rng {
+        &mut self.rng
     }
 
-    pub(crate) fn write_rng(&mut self, offset: u32, value: u32) {
-        if offset == 0 {
-            self.rng_cr = value & 0xC;
-        }
+    /// Supply of the chip (V). Answers whether the detector's output changed, and to what.
+    pub(crate) fn set_supply_v(&mut self, volts: f64) -> Option<bool> {
+        self.supply_v = volts;
+        self.detect()
+    }
+
+    /// The programmable voltage detector (RM0090 section 5.2.3): up while the supply is below the level of PWR_CR.PLS; the
+    /// way back needs 0.1 V more (DS8626, PVD hysteresis). Off, it says nothing.
+    fn detect(&mut self) -> Option<bool> {
+        const FALLING_V: [f64; 8] = [2.0, 2.1, 2.3, 2.5, 2.6, 2.7, 2.8, 2.9];
+        let on = self.pwr_cr >> 4 & 1 == 1;
+        let level = FALLING_V[(self.pwr_cr >> 5 & 7) as usize] + if self.pvdo { 0.1 } else { 0.0 };
+        let low = on && self.supply_v < level;
+        let changed = low != self.pvdo;
+        self.pvdo = low;
+        changed.then_some(low)
     }
 
     /// DBGMCU_CR.DBG_SLEEP (RM0090 section 38.16.3).

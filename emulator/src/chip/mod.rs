@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `map`, `pin`, `dma_requests` | tables of the manual: addresses, gates, interrupts, pins, DMA requests |
 //! | `clock`, `events` | time: rates, nanoseconds, and what happens next |
-//! | `rcc`, `flash`, `gpio`, `exti`, `timer`, `dma`, `usart`, `spi`, `adc`, `watchdog`, `minor` | registers |
+//! | `rcc`, `flash`, `gpio`, `exti`, `timer`, `dma`, `usart`, `spi`, `adc`, `watchdog`, `rng`, `minor` | registers |
 //! | `access` | an access to a register, and what follows from it |
 //! | `transfer` | DMA at work |
 //! | `wiring` | pins, pulses, the board, changes of the clocks |
@@ -32,6 +32,7 @@ mod minor;
 mod outside;
 pub mod pin;
 mod rcc;
+mod rng;
 mod serial_line;
 mod spi;
 mod timer;
@@ -45,6 +46,7 @@ mod wiring;
 pub use board::{BareBoard, Board, Effects, Pulse, SpiWord};
 pub use gpio::Mode;
 pub use pin::Pin;
+pub use rng::RngDefect;
 pub use serial_line::SerialByte;
 
 use crate::bus::{Access, AccessError, Cycle, Master, NEVER, Peripherals, Width};

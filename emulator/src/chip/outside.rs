@@ -105,6 +105,30 @@ impl<B: Board> Chip<B> {
         }
     }
 
+    /// Supply of the chip (V); 3.3 at first. Only the voltage detector looks at it: a chip that is to stop must be stopped.
+    pub fn set_supply_v(&mut self, volts: f64) {
+        let change = self.minor.set_supply_v(volts);
+        self.supply_detected(change);
+    }
+
+    /// Seeds the random number generator, whose numbers are the same on every run with the same seed.
+    pub fn seed_rng(&mut self, seed: u64) {
+        self.minor.rng().seed(seed);
+    }
+
+    /// Breaks the random number generator, or mends it.
+    pub fn set_rng_defect(&mut self, defect: super::RngDefect) {
+        self.minor.rng().defect = defect;
+    }
+
+    /// Cuts the power in the middle of whatever flash does and brings it back: a sector being erased keeps arbitrary
+    /// content, a word being programmed has some of its bits (no source says which: any must be expected). The chip comes up
+    /// from a power-on reset as soon as the core looks; RAM keeps its content, which is one of the things it may do.
+    pub fn cut_power(&mut self, memory: &mut Memory, noise: u64) {
+        self.flash.cut(memory, noise);
+        self.ask_for_reset(super::rcc::CSR_POWER_UP);
+    }
+
     /// Where erase times lie between typical (0) and longest (1).
     pub fn set_flash_slowness(&mut self, slowness: f64) {
         self.flash.slowness = slowness;

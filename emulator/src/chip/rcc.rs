@@ -14,7 +14,7 @@ const CSR_RMVF: u32 = 1 << 24;
 /// Reset by the pin, which every reset inside the chip pulls low.
 pub(crate) const CSR_PINRSTF: u32 = 1 << 26;
 /// Power-on and brown-out reset.
-const CSR_POWER_UP: u32 = CSR_PINRSTF | 1 << 25 | 1 << 27;
+pub(crate) const CSR_POWER_UP: u32 = CSR_PINRSTF | 1 << 25 | 1 << 27;
 /// Reset asked for by the core.
 pub(crate) const CSR_SFTRSTF: u32 = 1 << 28;
 /// Reset by the independent watchdog.

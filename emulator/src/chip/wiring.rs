@@ -168,6 +168,13 @@ impl<B: Board> Chip<B> {
             }
             self.effects.levels = levels;
         }
+        if !self.effects.serial.is_empty() {
+            let ns = self.clock.ns(at);
+            for (port, baud, bytes) in std::mem::take(&mut self.effects.serial) {
+                self.set_host_baud(port, baud);
+                self.serial_send(port, ns, &bytes);
+            }
+        }
         for text in self.effects.bugs.drain(..) {
             memory.report(at, 0, text);
         }

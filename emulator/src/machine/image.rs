@@ -41,12 +41,7 @@ impl<P: Peripherals> Machine<P> {
         let header = FileHeader32::<Endianness>::parse(elf)?;
         let endian = header.endian()?;
         let mut lowest = u32::MAX;
-        for segment in header.program_headers(endian, elf)? {
-            let content = segment.data(endian, elf).unwrap_or_default();
-            if segment.p_type(endian) != PT_LOAD || content.is_empty() {
-                continue;
-            }
-            let address = segment.p_paddr(endian);
+        for (address, content) in pieces(elf)? {
             self.memory
                 .place(address, content)
                 .ok_or(ImageError::Outside { address, bytes: content.len() })?;
@@ -132,26 +127,43 @@ pub fn symbols(elf: &[u8]) -> Result<Vec<(String, u32)>, ImageError> {
     Ok(table.iter().filter_map(named).collect())
 }
 
+/// Where a programmer writes an image: address and length of each piece that it loads, in the order of the file.
+///
+/// # Errors
+/// [`ImageError`].
+pub fn loaded(elf: &[u8]) -> Result<Vec<(u32, usize)>, ImageError> {
+    Ok(pieces(elf)?.into_iter().map(|(address, content)| (address, content.len())).collect())
+}
+
 /// What an image puts into flash, from the lowest address to the highest; gaps stay erased.
 ///
 /// # Errors
 /// [`ImageError`].
 pub fn flash_content(elf: &[u8]) -> Result<Vec<u8>, ImageError> {
+    let mut pieces = pieces(elf)?;
+    pieces.retain_mut(|(address, _)| {
+        *address &= !FLASH_BASE;
+        *address < crate::memory::FLASH_BYTES
+    });
+    let begin = pieces.iter().map(|(at, _)| *at as usize).min().unwrap_or(0);
+    let end = pieces.iter().map(|(at, content)| *at as usize + content.len()).max().unwrap_or(0);
+    let mut flash = vec![0xFF; end - begin];
+    for (at, content) in pieces {
+        flash[at as usize - begin..][..content.len()].copy_from_slice(content);
+    }
+    Ok(flash)
+}
+
+/// What an image loads, by physical address.
+fn pieces(elf: &[u8]) -> Result<Vec<(u32, &[u8])>, ImageError> {
     let header = FileHeader32::<Endianness>::parse(elf)?;
     let endian = header.endian()?;
     let mut pieces = Vec::new();
     for segment in header.program_headers(endian, elf)? {
         let content = segment.data(endian, elf).unwrap_or_default();
-        let offset = segment.p_paddr(endian) & !FLASH_BASE;
-        if segment.p_type(endian) == PT_LOAD && offset < crate::memory::FLASH_BYTES && !content.is_empty() {
-            pieces.push((offset as usize, content));
+        if segment.p_type(endian) == PT_LOAD && !content.is_empty() {
+            pieces.push((segment.p_paddr(endian), content));
         }
     }
-    let begin = pieces.iter().map(|(at, _)| *at).min().unwrap_or(0);
-    let end = pieces.iter().map(|(at, content)| at + content.len()).max().unwrap_or(0);
-    let mut flash = vec![0xFF; end - begin];
-    for (at, content) in pieces {
-        flash[at - begin..at - begin + content.len()].copy_from_slice(content);
-    }
-    Ok(flash)
+    Ok(pieces)
 }

@@ -16,11 +16,13 @@ use embassy_stm32::interrupt::InterruptExt;
 use embassy_sync::blocking_mutex::Mutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_time::Instant;
-use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleConfig};
+use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus};
 use mintime_firmware::dshot::Frame;
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::pacing::Pacer;
+use mintime_firmware::receiver::KillState;
+use mintime_firmware::store::Order;
 use mintime_firmware::watch::{RECEIVE_BYTES, Watch};
 use mintime_shared::messages::{BoardTelemetry, KillSwitch};
 use static_cell::StaticCell;
@@ -29,10 +31,11 @@ use super::dshot::Motors;
 use super::facts::{CONTROL_INTERRUPT, CORE_MHZ, MOTOR_ARMING_FRAMES};
 use super::imu::{self, Imu, Outcome};
 use super::link::{OUTBOX, Receiver};
+use super::receiver::RadioReceiver;
 use super::tick_source::{self, LateTimer};
 use super::vehicle::{self, BoardVehicle};
 use super::watchdog::{self, Party};
-use super::{battery, supervision};
+use super::{battery, fault, storage, supervision};
 
 /// Link bytes moved per tick and direction. The line carries 115.2 in a tick.
 const BYTES_PER_TICK: usize = RECEIVE_BYTES;
@@ -59,6 +62,7 @@ struct Control {
     imu: Option<Imu>,
     gyro_pending: bool,
     receiver: Receiver,
+    radio: RadioReceiver,
     motors: Motors,
     /// Whether the last frame was sent in full.
     motors_well: bool,
@@ -70,19 +74,31 @@ struct Control {
     answered_edge: Option<u32>,
     motors_on: bool,
     measured: BoardTelemetry,
+    store: StoreStatus,
+    /// Ticket of the last job handed to the store.
+    ordered: u32,
+    /// What happened before this start has not been acknowledged.
+    crash_waits: bool,
     bytes: [u8; BYTES_PER_TICK],
     watch: &'static mut Watch,
 }
 
 /// Starts the control tick.
 #[allow(unsafe_code)]
-pub(super) fn start(receiver: Receiver, motors: Motors, late_timer: LateTimer) {
+pub(super) fn start(
+    vehicle: &'static mut BoardVehicle,
+    receiver: Receiver,
+    radio: RadioReceiver,
+    motors: Motors,
+    late_timer: LateTimer,
+) {
     let now_us = Instant::now().as_micros();
     let control = CONTROL.init_with(|| Control {
-        vehicle: vehicle::take(),
+        vehicle,
         imu: None,
         gyro_pending: true,
         receiver,
+        radio,
         motors,
         motors_well: false,
         arming_frames: 0,
@@ -91,6 +107,9 @@ pub(super) fn start(receiver: Receiver, motors: Motors, late_timer: LateTimer) {
         answered_edge: None,
         motors_on: false,
         measured: BoardTelemetry::default(),
+        store: StoreStatus { present: true, busy: false, finished: 0, failed: false },
+        ordered: 0,
+        crash_waits: true,
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
     });
@@ -154,7 +173,14 @@ impl Control {
 
     fn tick(&mut self, now_us: u64, imu: Option<ImuSample>, edge: Option<u32>) {
         let battery_v = battery::voltage();
-        let input = TickInput { now_us, imu, battery_v, kill: KillSwitch::Run };
+        // Of the tick before: decoding must not delay the motors.
+        let kill = match self.radio.switch().state() {
+            KillState::Unknown => KillSwitch::Absent,
+            KillState::Lost => KillSwitch::Lost,
+            KillState::Kill => KillSwitch::Stop,
+            KillState::Run => KillSwitch::Run,
+        };
+        let input = TickInput { now_us, imu, battery_v, kill };
         let output = self.vehicle.tick(&input);
         let frames = output.throttle.map_or([Frame::STOP; 4], |throttle| throttle.map(Frame::throttle));
         self.motors.send(&frames, edge);
@@ -162,6 +188,9 @@ impl Control {
 
         // The motors have theirs; now everything that may take its time.
         self.count_arming_frames(output.throttle.is_some(), battery_v);
+        self.listen(now_us);
+        self.keep();
+        self.forget_crash();
         self.take_gyro();
         let status = self.publish();
         self.watch.note(&input, &output, self.vehicle.state(), &status);
@@ -202,10 +231,47 @@ impl Control {
         if motors_on {
             return;
         }
-        let counts =
-            self.motors_well && battery_v.is_some_and(|v| VehicleConfig::REFERENCE.is_plausible_battery(v));
+        let counts = self.motors_well && self.vehicle.is_plausible_battery(battery_v);
         self.arming_frames =
             if counts { self.arming_frames.saturating_add(1).min(MOTOR_ARMING_FRAMES) } else { 0 };
+    }
+
+    /// Takes in what the radio receiver sent.
+    fn listen(&mut self, now_us: u64) {
+        if !self.motors_on {
+            let (channel, run_above_us, kill_below_us) = self.vehicle.kill_switch();
+            self.radio.configure(channel, run_above_us, kill_below_us);
+        }
+        self.radio.update(now_us);
+    }
+
+    /// Hands over what the flight logic wants kept, and takes the answer. Only ever with the motors off: flash stalls.
+    fn keep(&mut self) {
+        if let Some(done) = storage::take_done() {
+            self.store.finished = done.number;
+            self.store.failed = done.result.is_err();
+        }
+        self.store.busy = storage::busy();
+        let Some(job) = self.vehicle.job().filter(|job| !self.motors_on && job.ticket != self.ordered) else {
+            return;
+        };
+        let order = if job.value.is_empty() {
+            Order::Remove(job.key)
+        } else {
+            Order::Write(job.key, job.value.clone())
+        };
+        if storage::submit(job.ticket, order).is_ok() {
+            self.ordered = job.ticket;
+            self.store.busy = true;
+        }
+    }
+
+    /// Forgets the crash of the run before once a person has read of it.
+    fn forget_crash(&mut self) {
+        if self.crash_waits && self.vehicle.incident().is_none() {
+            self.crash_waits = false;
+            fault::forget();
+        }
     }
 
     /// Takes the gyro over when its set-up has ended, well or not.
@@ -236,7 +302,7 @@ impl Control {
             // Outputs that do not work are not starting.
             starting: self.gyro_pending || (!motors && self.motors_well),
             telemetry: *measured,
-            store: StoreStatus::default(),
+            store: self.store,
         };
         self.vehicle.set_board_status(&status);
         TELEMETRY.lock(|telemetry| telemetry.set(Some(*measured)));

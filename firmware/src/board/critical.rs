@@ -4,7 +4,7 @@
 //! stamp of the gyro's edge unseen: a measured latency would be better than the true one. This one raises the
 //! processor's base priority instead and so masks priorities 1..15 only.
 //!
-//! Rule that makes it sound: handlers of priority 0 (`tick_source`, `dshot`) touch atomics and registers of their own
+//! Rule that makes it sound: handlers of priority 0 (`tick_source`, `dshot`, `supply`) touch atomics and registers of their own
 //! only; no waker, no pipe, nothing that a critical section guards.
 #![allow(unsafe_code)]
 

@@ -14,13 +14,14 @@
 //! | battery | PC0 (ADC1 channel 10); the current sensor on PC1 is not used |
 //! | LED | PC8; the beeper on PC5 is not used |
 //! | debug probe | PA13 SWDIO, PA14 SWCLK: never touched |
-//! | kill switch | none on this board: the host's stop command is the kill |
+//! | radio receiver, for the kill switch | USART2: PA3 RX; PA2, its TX, is not used |
 //!
 //! # DMA streams
 //!
 //! | stream | owner |
 //! |---|---|
-//! | DMA1 stream 6, channel 2 | TIM4 update: motors |
+//! | DMA1 stream 5, channel 4 | USART2 RX |
+//! | DMA1 stream 6, channel 2 | TIM4 update: motors. It is USART2's for sending, too, which therefore never sends |
 //! | DMA2 stream 2, channel 4 | USART1 RX |
 //! | DMA2 stream 7, channel 4 | USART1 TX |
 //! | DMA2 stream 4 | reserved: ADC1 (its other one, stream 0, is SPI1's) |
@@ -39,6 +40,7 @@
 //! | priority | interrupt | why |
 //! |---|---|---|
 //! | 0 | EXTI4: gyro data ready | stamps the edge; no critical section masks it |
+//! | 0 | PVD: the chip's supply falls | ends the run while the chip still works |
 //! | 0 | DMA1 stream 6: motor frame done | must stop the timer within a bit, 1.67 µs |
 //! | 1 | I2C3_ER, pended by software: control tick; TIM7: the same without a sample | above everything that serves the link |
 //! | 2 | TIM5 | wakes tasks; must not lag by 32 ms |
@@ -62,6 +64,7 @@ pub(super) struct Parts {
     pub(super) battery: BatteryParts,
     pub(super) gyro: GyroParts,
     pub(super) motors: MotorParts,
+    pub(super) receiver: ReceiverParts,
     pub(super) late_timer: Peri<'static, peripherals::TIM7>,
     pub(super) led: Peri<'static, peripherals::PC8>,
 }
@@ -73,6 +76,13 @@ pub(super) struct LinkParts {
     pub(super) rx: Peri<'static, peripherals::PA10>,
     pub(super) tx_dma: Peri<'static, peripherals::DMA2_CH7>,
     pub(super) rx_dma: Peri<'static, peripherals::DMA2_CH2>,
+}
+
+/// The serial port of the radio receiver.
+pub(super) struct ReceiverParts {
+    pub(super) uart: Peri<'static, peripherals::USART2>,
+    pub(super) rx: Peri<'static, peripherals::PA3>,
+    pub(super) dma: Peri<'static, peripherals::DMA1_CH5>,
 }
 
 /// The converter that measures the battery.
@@ -125,6 +135,7 @@ impl Parts {
                 motor_3: p.PB8,
                 motor_4: p.PB9,
             },
+            receiver: ReceiverParts { uart: p.USART2, rx: p.PA3, dma: p.DMA1_CH5 },
             late_timer: p.TIM7,
             led: p.PC8,
         }
@@ -150,6 +161,19 @@ pub(super) const LINK_DMA: pac::dma::Dma = pac::DMA2;
 pub(super) const LINK_DMA_STREAM: usize = 2;
 /// ... and channel that take what it receives.
 pub(super) const LINK_DMA_CHANNEL: u8 = 4;
+
+/// The radio receiver's serial port.
+pub(super) const RECEIVER_UART: pac::usart::Usart = pac::USART2;
+/// Clock of its bus, Hz. For the receiver's 420,000 baud the divider is 100: exact.
+pub(super) const RECEIVER_CLOCK_HZ: u32 = 42_000_000;
+/// Function of its pin.
+pub(super) const RECEIVER_ALTERNATE_FUNCTION: u8 = 7;
+/// Controller, ...
+pub(super) const RECEIVER_DMA: pac::dma::Dma = pac::DMA1;
+/// ... stream ...
+pub(super) const RECEIVER_DMA_STREAM: usize = 5;
+/// ... and channel that take what it sends.
+pub(super) const RECEIVER_DMA_CHANNEL: u8 = 4;
 
 /// Level that lights the LED.
 pub(super) const LED_ON: Level = Level::Low;
@@ -240,6 +264,7 @@ pub(super) fn clocks() -> embassy_stm32::Config {
 /// Gives every interrupt in use its priority; whatever is left out would have the highest.
 pub(super) fn set_priorities() {
     interrupt::EXTI4.set_priority(STAMP_PRIORITY);
+    interrupt::PVD.set_priority(STAMP_PRIORITY);
     interrupt::DMA1_STREAM6.set_priority(STAMP_PRIORITY);
     CONTROL_INTERRUPT.set_priority(CONTROL_PRIORITY);
     interrupt::TIM7.set_priority(CONTROL_PRIORITY);

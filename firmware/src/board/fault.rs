@@ -34,13 +34,28 @@ pub(super) enum Kind {
     UnexpectedInterrupt = 4,
     /// A peripheral refused its set-up.
     SetUp = 5,
+    /// The chip's supply fell.
+    BrownOut = 6,
+    /// The watchdog fired.
+    Watchdog = 7,
+    /// The stack left its memory.
+    StackOverflow = 8,
 }
 
 impl Kind {
     fn from_word(word: u32) -> Option<Self> {
-        [Self::Panic, Self::HardFault, Self::ClockLost, Self::UnexpectedInterrupt, Self::SetUp]
-            .into_iter()
-            .find(|kind| *kind as u32 == word)
+        [
+            Self::Panic,
+            Self::HardFault,
+            Self::ClockLost,
+            Self::UnexpectedInterrupt,
+            Self::SetUp,
+            Self::BrownOut,
+            Self::Watchdog,
+            Self::StackOverflow,
+        ]
+        .into_iter()
+        .find(|kind| *kind as u32 == word)
     }
 }
 
@@ -139,12 +154,16 @@ fn write_kept(record: Record) {
 fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
     cortex_m::interrupt::disable();
     motors::shut_down();
+    keep(kind, fill);
+    SCB::sys_reset()
+}
+
+fn keep(kind: Kind, fill: impl FnOnce(&mut Record)) {
     let mut record = Record::new(kind);
     record.count = read_kept().map_or(0, |earlier| earlier.count).saturating_add(1);
     fill(&mut record);
     record.check = record.checksum();
     write_kept(record);
-    SCB::sys_reset()
 }
 
 /// Ends the run because a peripheral refused its set-up; `step` tells which.
@@ -152,12 +171,16 @@ pub(super) fn set_up_failed(step: u32) -> ! {
     stop_with(Kind::SetUp, |record| record.line = step)
 }
 
-/// Takes the crash of the run before, once. Its count stays, so that repeated crashes are seen.
-pub(super) fn take() -> Option<Crash> {
-    let mut record = read_kept()?;
-    let kind = Kind::from_word(record.kind)?;
-    let crash = Crash {
-        kind,
+/// Ends the run because the chip's supply falls. From a handler of the highest priority: registers and the record only.
+pub(super) fn brown_out() -> ! {
+    stop_with(Kind::BrownOut, |_| {})
+}
+
+/// How the run before ended, if in a crash that nobody has acknowledged.
+pub(super) fn kept() -> Option<Crash> {
+    let record = read_kept()?;
+    Some(Crash {
+        kind: Kind::from_word(record.kind)?,
         pc: record.pc,
         lr: record.lr,
         cfsr: record.cfsr,
@@ -166,11 +189,26 @@ pub(super) fn take() -> Option<Crash> {
         line: record.line,
         file: record.file,
         count: record.count,
+    })
+}
+
+/// Keeps a reset that left no record of its own: its cause is told once, and another reset may come before it is read.
+pub(super) fn note_reset(cause: ResetCause) {
+    let kind = match cause {
+        ResetCause::Watchdog | ResetCause::WindowWatchdog => Kind::Watchdog,
+        ResetCause::BrownOut => Kind::BrownOut,
+        _ => return,
     };
-    record.kind = 0;
-    record.check = record.checksum();
-    write_kept(record);
-    Some(crash)
+    keep(kind, |_| {});
+}
+
+/// A person has read of it. Its count stays, so that repeated crashes are seen.
+pub(super) fn forget() {
+    if let Some(mut record) = read_kept() {
+        record.kind = 0;
+        record.check = record.checksum();
+        write_kept(record);
+    }
 }
 
 /// Why the chip was reset, as the clock controller tells it (RM0090 section 7.3.21).
@@ -268,6 +306,8 @@ extern "C" fn hard_fault(frame: u32) -> ! {
             };
             record.lr = word(20);
             record.pc = word(24);
+        } else {
+            record.kind = Kind::StackOverflow as u32;
         }
     })
 }

@@ -6,20 +6,27 @@ mod control;
 mod core_setup;
 mod critical;
 mod dshot;
+mod entropy;
 mod facts;
 mod fault;
+mod flash;
 mod idle;
 mod imu;
 mod link;
 mod motors;
+mod receiver;
 mod spi;
 mod stack;
+mod storage;
 mod supervision;
+mod supply;
 mod tick_source;
 mod vehicle;
 mod watchdog;
 
 use defmt_rtt as _;
+use mintime_firmware::receiver::KillSwitchConfig;
+use mintime_shared::messages::IncidentCause;
 
 /// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
 /// lines are no signal that anybody chose.
@@ -36,7 +43,8 @@ fn start() -> ! {
     motors::force_low();
     watchdog::start();
     let cause = fault::take_reset_cause();
-    let crash = fault::take();
+    fault::note_reset(cause);
+    let crash = fault::kept();
 
     let peripherals = embassy_stm32::init(facts::clocks());
     core_setup::enable_flash_caches();
@@ -44,27 +52,68 @@ fn start() -> ! {
     core_setup::pause_watchdog_in_debug();
     core_setup::prepare_core();
     facts::set_priorities();
+    supply::watch();
 
+    let run = entropy::draw(cortex_m::peripheral::DWT::cycle_count());
     defmt::info!("mintime firmware {=str}, reset by {}", env!("CARGO_PKG_VERSION"), cause);
+    defmt::info!("run {=u64:016x}, random: {=bool}", run.bits, run.random);
     if let Some(crash) = crash {
         defmt::error!("the last run crashed: {}", crash);
     }
 
+    let mut store = storage::open();
+    let vehicle = vehicle::take();
+    // Half of the number: the other half is nobody's business.
+    vehicle.set_session(run.bits as u32);
+    if !vehicle::restore(vehicle, &mut store) {
+        vehicle.report(IncidentCause::StoreDamaged);
+    }
+    if let Some(cause) = incident(crash.as_ref(), cause) {
+        vehicle.report(cause);
+    }
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);
     let Ok((receiver, transmitter)) = link::open(parts.link) else { fault::set_up_failed(line!()) };
 
-    control::start(receiver, dshot::Motors::new(parts.motors), tick_source::LateTimer::new(parts.late_timer));
+    let radio = receiver::RadioReceiver::new(parts.receiver, KillSwitchConfig::DEFAULT);
+    let motors = dshot::Motors::new(parts.motors);
+    control::start(vehicle, receiver, radio, motors, tick_source::LateTimer::new(parts.late_timer));
     let crashed = crash.is_some();
     idle::run(|spawner| {
-        let (Ok(gyro), Ok(transmit), Ok(supervise)) =
-            (imu::set_up(parts.gyro), link::transmit(transmitter), supervision::run(battery, led, crashed))
-        else {
+        let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (
+            imu::set_up(parts.gyro),
+            link::transmit(transmitter),
+            supervision::run(battery, led, crashed),
+            storage::run(store),
+        ) else {
             fault::set_up_failed(line!())
         };
         spawner.spawn(gyro);
         spawner.spawn(transmit);
         spawner.spawn(supervise);
+        spawner.spawn(keep);
     })
+}
+
+/// What a person must hear of before the motors turn again: how the last run ended, unless somebody switched it off.
+fn incident(crash: Option<&fault::Crash>, cause: fault::ResetCause) -> Option<IncidentCause> {
+    use fault::{Kind, ResetCause};
+    if let Some(crash) = crash {
+        return Some(match crash.kind {
+            Kind::Panic => IncidentCause::Panic(crash.line),
+            Kind::HardFault => IncidentCause::HardFault { pc: crash.pc, cfsr: crash.cfsr },
+            Kind::StackOverflow => IncidentCause::StackOverflow,
+            Kind::ClockLost => IncidentCause::ClockLost,
+            Kind::UnexpectedInterrupt => IncidentCause::UnexpectedInterrupt(crash.pc),
+            Kind::SetUp => IncidentCause::SetUp(crash.line),
+            Kind::BrownOut => IncidentCause::BrownOut,
+            Kind::Watchdog => IncidentCause::Watchdog,
+        });
+    }
+    match cause {
+        ResetCause::BrownOut => Some(IncidentCause::BrownOut),
+        ResetCause::Watchdog | ResetCause::WindowWatchdog => Some(IncidentCause::Watchdog),
+        _ => None,
+    }
 }

@@ -1,0 +1,299 @@
+use proptest::prelude::*;
+use std::vec::Vec;
+
+use super::{Flash, FlashFault, Key, SECTOR_BYTES, Sector, Store, StoreError, VALUE_BYTES};
+
+extern crate std;
+
+/// Flash whose supply can fail at any step: a word being programmed then has some of its bits, a sector being erased is a
+/// patchwork of old, blank and arbitrary words.
+#[derive(Clone)]
+struct Mock {
+    sectors: [Vec<u8>; 2],
+    /// Steps (words programmed, sectors erased) until the supply fails.
+    steps_left: Option<u32>,
+    off: bool,
+    noise: u64,
+    steps: u32,
+    erases: u32,
+}
+
+impl Mock {
+    fn new(noise: u64) -> Self {
+        let blank = || std::vec![0xFF; SECTOR_BYTES];
+        Self {
+            sectors: [blank(), blank()],
+            steps_left: None,
+            off: false,
+            noise: noise | 1,
+            steps: 0,
+            erases: 0,
+        }
+    }
+
+    fn random(&mut self) -> u64 {
+        self.noise ^= self.noise << 13;
+        self.noise ^= self.noise >> 7;
+        self.noise ^= self.noise << 17;
+        self.noise
+    }
+
+    /// Whether this step is cut short.
+    fn cut(&mut self) -> Result<bool, FlashFault> {
+        if self.off {
+            return Err(FlashFault::Busy);
+        }
+        self.steps += 1;
+        self.off = self.steps_left == Some(0);
+        self.steps_left = self.steps_left.map(|left| left.saturating_sub(1));
+        Ok(self.off)
+    }
+
+    fn power_up(&mut self) {
+        (self.off, self.steps_left) = (false, None);
+    }
+}
+
+impl Flash for Mock {
+    fn read(&mut self, sector: Sector, offset: usize, into: &mut [u8]) -> Result<(), FlashFault> {
+        if self.off {
+            return Err(FlashFault::Busy);
+        }
+        let from = self.sectors[sector as usize].get(offset..offset + into.len());
+        into.copy_from_slice(from.ok_or(FlashFault::Place)?);
+        Ok(())
+    }
+
+    fn program(&mut self, sector: Sector, offset: usize, word: u32) -> Result<(), FlashFault> {
+        assert!(offset.is_multiple_of(4) && offset + 4 <= SECTOR_BYTES);
+        let cut = self.cut()?;
+        let some = self.random() as u32;
+        let cell = &mut self.sectors[sector as usize][offset..offset + 4];
+        let old = u32::from_le_bytes(cell.try_into().expect("four bytes"));
+        assert_eq!(!old & word, 0, "a bit has to rise");
+        let new = if cut { old & (word | some) } else { word };
+        cell.copy_from_slice(&new.to_le_bytes());
+        if cut { Err(FlashFault::Busy) } else { Ok(()) }
+    }
+
+    fn erase(&mut self, sector: Sector) -> Result<(), FlashFault> {
+        let cut = self.cut()?;
+        self.erases += 1;
+        let mut content = std::mem::take(&mut self.sectors[sector as usize]);
+        // How much is still as it was differs from cut to cut.
+        let old_part = self.random() % 17;
+        for word in content.chunks_mut(4) {
+            let random = self.random();
+            if !cut || random % 16 >= old_part {
+                word.fill(0xFF);
+                if cut && random >> 8 & 3 == 0 {
+                    word.copy_from_slice(&(random as u32).to_le_bytes());
+                }
+            }
+        }
+        self.sectors[sector as usize] = content;
+        if cut { Err(FlashFault::Busy) } else { Ok(()) }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Act {
+    Write(usize, usize, u8),
+    Remove(usize),
+    Format,
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        12 => (0..Key::ALL.len(), 0..=VALUE_BYTES, any::<u8>()).prop_map(|(k, n, b)| Act::Write(k, n, b)),
+        2 => (0..Key::ALL.len()).prop_map(Act::Remove),
+        1 => Just(Act::Format),
+    ]
+}
+
+type Values = [Option<Vec<u8>>; Key::ALL.len()];
+
+fn bytes(length: usize, first: u8) -> Vec<u8> {
+    (0..length).map(|n| first.wrapping_add((n as u8).wrapping_mul(7))).collect()
+}
+
+fn apply(store: &mut Store<Mock>, act: Act) -> Result<(), StoreError> {
+    match act {
+        Act::Write(key, length, first) => store.write(Key::ALL[key], &bytes(length, first)),
+        Act::Remove(key) => store.remove(Key::ALL[key]),
+        Act::Format => store.format(),
+    }
+}
+
+fn expected(values: &Values, act: Act) -> Values {
+    let mut values = values.clone();
+    match act {
+        Act::Write(key, length, first) => values[key] = Some(bytes(length, first)),
+        Act::Remove(key) => values[key] = None,
+        Act::Format => values = Values::default(),
+    }
+    values
+}
+
+fn values(store: &mut Store<Mock>) -> Values {
+    let mut buffer = [0; VALUE_BYTES];
+    Key::ALL.map(|key| {
+        let length = store.read(key, &mut buffer).expect("flash that works");
+        length.map(|length| buffer[..length].to_vec())
+    })
+}
+
+/// Runs `acts` with the supply failing at step `cut`, then the rest of them with power. Answers whether it failed.
+fn survive(acts: &[Act], cut: u32, noise: u64) -> bool {
+    let mut store = Store::new(Mock::new(noise));
+    store.flash().steps_left = Some(cut);
+    let mut known = Values::default();
+    let mut failed = false;
+    for &act in acts {
+        let next = expected(&known, act);
+        let result = apply(&mut store, act);
+        if result.is_ok() {
+            known = next;
+            continue;
+        }
+        assert!(store.flash().off && !failed, "{act:?}: {result:?}");
+        failed = true;
+        store.flash().power_up();
+        let found = values(&mut store);
+        for (n, value) in found.iter().enumerate() {
+            assert!(*value == known[n] || *value == next[n], "{:?} after {act:?}: {value:?}", Key::ALL[n]);
+        }
+        known = found;
+        // It stays usable.
+        apply(&mut store, act).expect("the power is back");
+        known = expected(&known, act);
+    }
+    assert_eq!(values(&mut store), known);
+    failed
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+
+    #[test]
+    fn each_key_has_its_old_or_its_new_value_after_a_power_cut(
+        acts in prop::collection::vec(act(), 1..200), cut in 0_u32..6000, noise: u64,
+    ) {
+        survive(&acts, cut, noise);
+    }
+
+    /// A second cut, in what the first one left.
+    #[test]
+    fn two_cuts_in_a_row_are_survived(
+        acts in prop::collection::vec(act(), 1..120), cuts in prop::array::uniform2(0_u32..4000), noise: u64,
+    ) {
+        let mut store = Store::new(Mock::new(noise));
+        let mut known = Values::default();
+        let mut cuts = cuts.into_iter();
+        store.flash().steps_left = cuts.next();
+        for act in acts {
+            for _ in 0..3 {
+                let next = expected(&known, act);
+                if apply(&mut store, act).is_ok() {
+                    known = next;
+                    break;
+                }
+                store.flash().power_up();
+                let found = values(&mut store);
+                for (n, value) in found.iter().enumerate() {
+                    prop_assert!(*value == known[n] || *value == next[n]);
+                }
+                known = found;
+                store.flash().steps_left = cuts.next().map(|cut| cut % 300);
+            }
+        }
+        store.flash().power_up();
+        prop_assert_eq!(values(&mut store), known);
+    }
+
+    #[test]
+    fn whatever_flash_holds_it_can_be_used(noise: u64, header: bool, act in act()) {
+        let mut flash = Mock::new(noise);
+        for sector in 0..2 {
+            let content: Vec<u8> = (0..SECTOR_BYTES).map(|_| (flash.random() >> 24) as u8).collect();
+            flash.sectors[sector] = content;
+        }
+        let mut store = Store::new(flash);
+        if header {
+            // A good header before garbage.
+            let mut good = Store::new(Mock::new(1));
+            good.write(Key::Vehicle, &[1, 2, 3]).expect("a value");
+            store.flash().sectors[1][..12].copy_from_slice(&good.flash().sectors[0][..12]);
+        }
+        prop_assert_eq!(values(&mut store), Values::default());
+        apply(&mut store, act).expect("room");
+        prop_assert_eq!(values(&mut store), expected(&Values::default(), act));
+    }
+
+    #[test]
+    fn a_flipped_bit_never_makes_a_value(bit in 0..SECTOR_BYTES * 8) {
+        let mut store = Store::new(Mock::new(3));
+        let both = [bytes(100, 1), bytes(200, 9)];
+        for value in &both {
+            store.write(Key::Table(3), value).expect("room");
+        }
+        store.flash().sectors[0][bit / 8] ^= 1 << (bit % 8);
+        let found = values(&mut store)[5].clone();
+        prop_assert!(found.is_none_or(|found| both.contains(&found)));
+    }
+}
+
+/// Every step of a sequence that moves twice, formats and removes.
+#[test]
+fn every_single_step_can_be_the_last() {
+    let mut acts: Vec<Act> = (0..150).map(|n| Act::Write(n % 10, (n * 37) % 257, n as u8)).collect();
+    acts.extend([Act::Remove(3), Act::Format, Act::Write(0, 90, 4), Act::Remove(0), Act::Write(1, 8, 8)]);
+    let mut cut = 0;
+    while survive(&acts, cut, 0x1234_5678 + u64::from(cut)) {
+        cut += 1;
+    }
+    assert!(cut > 5000, "{cut}");
+}
+
+#[test]
+fn a_value_that_is_there_is_not_written_again() {
+    let mut store = Store::new(Mock::new(1));
+    store.write(Key::Settings, &[5; 30]).expect("room");
+    let steps = store.flash().steps;
+    store.write(Key::Settings, &[5; 30]).expect("room");
+    store.remove(Key::Vehicle).expect("nothing to do");
+    assert_eq!(store.flash().steps, steps);
+    assert_eq!(store.write(Key::Settings, &[0; 257]), Err(StoreError::TooLong));
+    assert_eq!(store.read(Key::Settings, &mut [0; 10]), Err(StoreError::Buffer(30)));
+}
+
+#[test]
+fn wear_is_spread() {
+    let mut store = Store::new(Mock::new(1));
+    for n in 0..10_000_u32 {
+        store.write(Key::Vehicle, &n.to_le_bytes()).expect("room");
+    }
+    // 12 bytes a record in 16 KiB.
+    assert!(store.flash().erases < 10, "{}", store.flash().erases);
+}
+
+#[test]
+fn flash_that_holds_nothing_is_told() {
+    /// Nothing that is written stays.
+    struct Worn;
+    impl Flash for Worn {
+        fn read(&mut self, _: Sector, _: usize, into: &mut [u8]) -> Result<(), FlashFault> {
+            into.fill(0xFF);
+            Ok(())
+        }
+        fn program(&mut self, _: Sector, _: usize, _: u32) -> Result<(), FlashFault> {
+            Ok(())
+        }
+        fn erase(&mut self, _: Sector) -> Result<(), FlashFault> {
+            Ok(())
+        }
+    }
+    let mut store = Store::new(Worn);
+    assert_eq!(store.write(Key::Vehicle, &[1]), Err(StoreError::WornOut));
+    assert_eq!(store.read(Key::Vehicle, &mut [0; 4]), Ok(None));
+}
