@@ -159,6 +159,7 @@ fn without_eyes_or_walls_nothing_flies() {
     assert!(refused(&eyes).contains("--room with six numbers"));
     assert!(refused(&[&eyes[..], &["--room", "-1,1,-1,1,-1,1"]].concat()).contains("does not fit the room"));
     assert!(refused(&["--mocap", "-"]).contains("--vehicle PORT"));
-    assert_eq!(world.status()["state"], "Disarmed");
+    let state = world.status()["state"].clone();
+    assert!(state == "Calibrating" || state == "Disarmed", "{state}");
     world.end();
 }

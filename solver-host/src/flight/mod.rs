@@ -69,6 +69,10 @@ const LANDED_HEIGHT_M: f64 = 0.02;
 /// A touch-down takes no longer than this, s.
 const LAND_TIMEOUT_S: f64 = 60.0;
 
+/// Telemetry that is on its way while the answer to `Arm` comes may tell of the state before.
+const STILL_ARMING: [FlightState; 4] =
+    [FlightState::Armed, FlightState::Tracking, FlightState::Disarmed, FlightState::Calibrating];
+
 /// How a maneuver ended.
 enum Ended {
     /// At T.
@@ -406,7 +410,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             let heading_rad = HEADING_RAD;
             self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
             let estimate =
-                self.watch("flying", &[FlightState::Armed, FlightState::Tracking, FlightState::Disarmed])?;
+                self.watch("flying", &STILL_ARMING)?;
             if estimate.position_m.z - from.z > LANDED_HEIGHT_M && self.calmness == Calmness::Grounded {
                 self.calmness = Calmness::Calm;
             }
