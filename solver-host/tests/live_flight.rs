@@ -72,7 +72,10 @@ fn serve(listener: &TcpListener, mocap: &str, blind_after_s: f64, ended: &Atomic
     let began = Instant::now();
     let (mut in_the_air_s, mut last, mut fastest_mps) = (0.0, None, 0.0_f64);
     let mut bytes = vec![0; 4096];
+    let mut next = Duration::ZERO;
     while !ended.load(Ordering::Relaxed) {
+        // What the host says to the last pose is there when the next one is due; it acts from the last one on.
+        std::thread::sleep((began + next).saturating_duration_since(Instant::now()));
         if let Ok((new, _)) = listener.accept() {
             new.set_nonblocking(true).expect("possible");
             new.set_nodelay(true).expect("possible");
@@ -82,8 +85,7 @@ fn serve(listener: &TcpListener, mocap: &str, blind_after_s: f64, ended: &Atomic
             vehicle.send(&bytes[..count]).expect("it takes bytes");
         }
         let pose = vehicle.next_pose().expect("the simulated cameras never fail");
-        let due = began + Duration::from_secs_f64(pose.arrived_s);
-        std::thread::sleep(due.saturating_duration_since(Instant::now()));
+        next = Duration::from_secs_f64(pose.arrived_s + 0.005);
         let mut out = Vec::new();
         vehicle.receive(&mut out).expect("it gives bytes");
         if let Some(stream) = &mut stream {

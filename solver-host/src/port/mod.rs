@@ -71,18 +71,21 @@ impl Port {
     /// # Errors
     /// [`PortError`]; that nothing came is none.
     pub fn read(&mut self, into: &mut Vec<u8>, timeout: Duration) -> Result<usize, PortError> {
-        // Sockets take no timeout of zero for "do not wait".
-        let wait = timeout.max(Duration::from_micros(1));
+        // A socket's shortest timeout is a tick of the system's clock, up to 10 ms: too long for a flight that only looks.
+        let look = timeout.is_zero();
+        let wait = (!look).then_some(timeout);
         let result = match &mut self.transport {
             Transport::Serial(serial) => serial.read(&mut self.buffer, timeout),
             Transport::Tcp(stream) => {
-                stream.set_read_timeout(Some(wait)).and_then(|()| stream.read(&mut self.buffer)).and_then(
-                    |count| if count == 0 { Err(ErrorKind::UnexpectedEof.into()) } else { Ok(count) },
-                )
+                let ready = stream.set_nonblocking(look).and_then(|()| stream.set_read_timeout(wait));
+                match ready.and_then(|()| stream.read(&mut self.buffer)) {
+                    Ok(0) => Err(ErrorKind::UnexpectedEof.into()),
+                    result => result,
+                }
             }
             Transport::Udp { socket, heard } => {
-                let result =
-                    socket.set_read_timeout(Some(wait)).and_then(|()| socket.recv(&mut self.buffer));
+                let ready = socket.set_nonblocking(look).and_then(|()| socket.set_read_timeout(wait));
+                let result = ready.and_then(|()| socket.recv(&mut self.buffer));
                 if result.is_ok() {
                     *heard = Instant::now();
                 }
@@ -110,10 +113,14 @@ impl Port {
             let left = timeout.saturating_sub(began.elapsed()).max(Duration::from_micros(1));
             let result = match &mut self.transport {
                 Transport::Serial(serial) => serial.write(rest, left),
-                Transport::Tcp(stream) => stream.set_write_timeout(Some(left)).and_then(|()| stream.write(rest)),
+                Transport::Tcp(stream) => stream
+                    .set_nonblocking(false)
+                    .and_then(|()| stream.set_write_timeout(Some(left)))
+                    .and_then(|()| stream.write(rest)),
                 Transport::Udp { socket, heard } => {
                     let datagram = &rest[..rest.len().min(MAX_DATAGRAM)];
-                    let result = socket.set_write_timeout(Some(left)).and_then(|()| socket.send(datagram));
+                    let ready = socket.set_nonblocking(false).and_then(|()| socket.set_write_timeout(Some(left)));
+                    let result = ready.and_then(|()| socket.send(datagram));
                     match forgive(result, *heard) {
                         // As lost as any datagram.
                         Ok(0) => Ok(datagram.len()),
