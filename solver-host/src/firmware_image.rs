@@ -76,7 +76,8 @@ impl FirmwareImage {
             reason: error.to_string(),
         };
         let content = emulator::machine::flash_content(&elf).map_err(refuse)?;
-        let flash_bytes = emulator::machine::loaded(&elf).map_err(refuse)?.iter().map(|(_, bytes)| bytes).sum();
+        let flash_bytes =
+            emulator::machine::loaded(&elf).map_err(refuse)?.iter().map(|(_, bytes)| bytes).sum();
         Ok(Self { elf, content, flash_bytes, path: path.to_owned() })
     }
 

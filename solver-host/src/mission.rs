@@ -534,7 +534,11 @@ pub fn fly_mission(
         heading_rad: f64::from(prepared.table.heading_rad),
         maneuver_s: f64::from(prepared.table.duration_s()),
     };
-    let plan = FlightPlan { table: prepared.table.clone(), start_m: Vector3::zeros(), vehicle: Some(VehicleConfig::REFERENCE) };
+    let plan = FlightPlan {
+        table: prepared.table.clone(),
+        start_m: Vector3::zeros(),
+        vehicle: Some(VehicleConfig::REFERENCE),
+    };
     let clock = Instant::now();
     let (flight, trace, virtual_time_s, emulated) = match vehicle {
         VehicleChoice::Hosted => {

@@ -16,15 +16,10 @@ use mintime_shared::vehicle::VehicleConfig;
 use serde_json::Value;
 use served::{By, Faults, Served};
 
-const GOOD: Faults =
-    Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO };
+const GOOD: Faults = Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO };
 /// A radio on a bad day.
-const BAD: Faults = Faults {
-    loss: 0.15,
-    twice: 0.1,
-    held_up: Duration::from_millis(12),
-    burst: Duration::ZERO,
-};
+const BAD: Faults =
+    Faults { loss: 0.15, twice: 0.1, held_up: Duration::from_millis(12), burst: Duration::ZERO };
 /// Wi-Fi that saves power.
 const BURSTS: Faults = Faults { loss: 0.05, burst: Duration::from_millis(50), ..GOOD };
 
@@ -105,10 +100,10 @@ fn a_paired_vehicle_listens_to_its_key_only() {
         open(None).expect("a vehicle").pair(Some(key)).expect("paired");
         assert!(matches!(open(None), Err(SessionError::KeyWanted)));
         let error = open(Some(other)).expect("it says who it is").status().expect_err("another key");
-        assert!(matches!(
-            error,
-            SessionError::Client { source: ClientError::Refused(Refusal::NotSealed), .. }
-        ), "{error}");
+        assert!(
+            matches!(error, SessionError::Client { source: ClientError::Refused(Refusal::NotSealed), .. }),
+            "{error}"
+        );
         // One program after the other, each beginning its counter anew.
         for _ in 0..3 {
             open(Some(key)).expect("it says who it is").status().expect("sealed");
@@ -140,7 +135,8 @@ fn the_commands_of_the_bench() {
     let served = Served::new(By::Tcp, GOOD);
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).display().to_string();
-    let vehicle = |arguments: &[&str]| mintime(&[&["vehicle", &served.port][..], arguments, &["--json"]].concat());
+    let vehicle =
+        |arguments: &[&str]| mintime(&[&["vehicle", &served.port][..], arguments, &["--json"]].concat());
 
     assert_eq!(json(&vehicle(&["identify"]))["protocol_version"], 3);
     assert!(json(&vehicle(&["status"]))["arming_blocked_by"].is_array());

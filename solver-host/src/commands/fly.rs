@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{check_writable, write_mcap};
-use mintime::mission::{self, Flown, Prepared, Mission, PlantChoice, Room, Source, VehicleChoice};
+use mintime::mission::{self, Flown, Mission, PlantChoice, Prepared, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
@@ -148,7 +148,12 @@ impl Fly {
         Ok(mission::fly_mission(mission, prepared, &vehicle, progress)?)
     }
 
-    fn fly_real(&self, port: &str, mission: &Mission, progress: &mut Progress) -> Result<Flown, Box<dyn Error>> {
+    fn fly_real(
+        &self,
+        port: &str,
+        mission: &Mission,
+        progress: &mut Progress,
+    ) -> Result<Flown, Box<dyn Error>> {
         if self.firmware.is_some() {
             return Err("a real vehicle has its firmware already: leave out --firmware".into());
         }

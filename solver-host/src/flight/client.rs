@@ -32,7 +32,9 @@ pub enum ClientError {
     #[error("the vehicle does not answer: check the link, the baud rate (921600) and the power")]
     Silent,
     /// It says that it is at it, but does not finish.
-    #[error("the vehicle has been at it for {PENDING_TIMEOUT_S} s and does not finish: switch it off and on, and try again")]
+    #[error(
+        "the vehicle has been at it for {PENDING_TIMEOUT_S} s and does not finish: switch it off and on, and try again"
+    )]
     Unfinished,
     /// Something else came back.
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]
@@ -147,12 +149,7 @@ impl Client {
     ///
     /// # Errors
     /// [`ConnectionError`] of the line.
-    pub fn ask(
-        &mut self,
-        line: &mut impl Line,
-        request: Request,
-        now_s: f64,
-    ) -> Result<(), ConnectionError> {
+    pub fn ask(&mut self, line: &mut impl Line, request: Request, now_s: f64) -> Result<(), ConnectionError> {
         let number = self.next_number();
         self.transmit(line, number, request.clone())?;
         self.pending = Some(Pending {
@@ -245,7 +242,8 @@ impl Client {
                 && self.session.is_some()
                 && pending.request != Request::Identify
                 && self.telemetry_count > pending.telemetry_count;
-            let error = if pending.unsealed || unheard { ClientError::Refused(Refusal::NotSealed) } else { silent };
+            let error =
+                if pending.unsealed || unheard { ClientError::Refused(Refusal::NotSealed) } else { silent };
             (pending.tries >= TRIES).then_some(error)
         };
         if let Some(error) = failure {
@@ -272,7 +270,12 @@ impl Client {
         self.counter
     }
 
-    fn transmit(&mut self, line: &mut impl Line, number: u16, request: Request) -> Result<(), ConnectionError> {
+    fn transmit(
+        &mut self,
+        line: &mut impl Line,
+        number: u16,
+        request: Request,
+    ) -> Result<(), ConnectionError> {
         // Whoever is asked who he is may have been switched off and on since: no session is known for sure.
         let sealed = (request != Request::Identify).then_some(self.key.zip(self.session)).flatten();
         let uplink = Uplink { version: PROTOCOL_VERSION, number, request };

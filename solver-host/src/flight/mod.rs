@@ -25,8 +25,8 @@ pub use world::{Scene, Trace};
 use std::time::{Duration, Instant};
 
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, STAGE_CHUNK_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
-    Request, Setpoint,
+    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, RecordChunk, RecordedTick,
+    Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint,
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
@@ -409,8 +409,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
             let heading_rad = HEADING_RAD;
             self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
-            let estimate =
-                self.watch("flying", &STILL_ARMING)?;
+            let estimate = self.watch("flying", &STILL_ARMING)?;
             if estimate.position_m.z - from.z > LANDED_HEIGHT_M && self.calmness == Calmness::Grounded {
                 self.calmness = Calmness::Calm;
             }
@@ -476,7 +475,12 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             self.watch(
                 "in a maneuver",
-                &[FlightState::Tracking, FlightState::Maneuver, FlightState::Recovery, FlightState::Terminated],
+                &[
+                    FlightState::Tracking,
+                    FlightState::Maneuver,
+                    FlightState::Recovery,
+                    FlightState::Terminated,
+                ],
             )?;
             let Some(t) = self.client.telemetry().copied() else { continue };
             seen |= t.state == FlightState::Maneuver;

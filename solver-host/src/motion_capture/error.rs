@@ -4,13 +4,17 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CaptureError {
     /// Not the name of a source.
-    #[error("{spec:?} is no source of poses: give udp:ADDRESS:PORT to listen on, such as udp:0.0.0.0:5005, or - for standard input")]
+    #[error(
+        "{spec:?} is no source of poses: give udp:ADDRESS:PORT to listen on, such as udp:0.0.0.0:5005, or - for standard input"
+    )]
     Name {
         /// What was given.
         spec: String,
     },
     /// The address cannot be listened on.
-    #[error("poses cannot be received at {spec} ({reason}): choose a free port and an address of this computer")]
+    #[error(
+        "poses cannot be received at {spec} ({reason}): choose a free port and an address of this computer"
+    )]
     Listen {
         /// Where.
         spec: String,
@@ -58,7 +62,9 @@ pub enum CaptureError {
         second: String,
     },
     /// The capture's clock did not go forward.
-    #[error("the capture's clock went from {before_s:.6} s to {after_s:.6} s: send poses in order, each with the time of its picture")]
+    #[error(
+        "the capture's clock went from {before_s:.6} s to {after_s:.6} s: send poses in order, each with the time of its picture"
+    )]
     Backwards {
         /// Newest time before.
         before_s: f64,
@@ -66,7 +72,9 @@ pub enum CaptureError {
         after_s: f64,
     },
     /// Nothing arrives.
-    #[error("no pose for {silent_s:.2} s: check the cameras, the network, and whether the vehicle is in view")]
+    #[error(
+        "no pose for {silent_s:.2} s: check the cameras, the network, and whether the vehicle is in view"
+    )]
     Stale {
         /// For how long.
         silent_s: f64,
@@ -78,7 +86,9 @@ pub enum CaptureError {
         frozen_s: f64,
     },
     /// The vehicle cannot have moved so far.
-    #[error("the pose jumped {distance_m:.2} m in {interval_s:.4} s: markers are mixed up or another body is tracked")]
+    #[error(
+        "the pose jumped {distance_m:.2} m in {interval_s:.4} s: markers are mixed up or another body is tracked"
+    )]
     PositionJump {
         /// How far.
         distance_m: f64,
@@ -86,7 +96,9 @@ pub enum CaptureError {
         interval_s: f64,
     },
     /// The vehicle cannot have turned so far.
-    #[error("the attitude jumped {angle_rad:.2} rad in {interval_s:.4} s: the markers' pattern is symmetric or partly hidden")]
+    #[error(
+        "the attitude jumped {angle_rad:.2} rad in {interval_s:.4} s: the markers' pattern is symmetric or partly hidden"
+    )]
     AttitudeJump {
         /// How far.
         angle_rad: f64,
@@ -94,7 +106,9 @@ pub enum CaptureError {
         interval_s: f64,
     },
     /// Outside the room that was declared.
-    #[error("the vehicle is outside the room: {axis} = {value_m:.2} m is not within {least_m:.2} to {most_m:.2} m")]
+    #[error(
+        "the vehicle is outside the room: {axis} = {value_m:.2} m is not within {least_m:.2} to {most_m:.2} m"
+    )]
     OutsideRoom {
         /// Which axis.
         axis: char,

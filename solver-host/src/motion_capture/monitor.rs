@@ -31,7 +31,9 @@ pub struct Volume {
 
 impl Volume {
     fn check(&self, position_m: [f64; 3]) -> Result<(), CaptureError> {
-        for ((axis, value_m), (least_m, most_m)) in ['x', 'y', 'z'].into_iter().zip(position_m).zip(self.range_m) {
+        for ((axis, value_m), (least_m, most_m)) in
+            ['x', 'y', 'z'].into_iter().zip(position_m).zip(self.range_m)
+        {
             if !(least_m..=most_m).contains(&value_m) {
                 return Err(CaptureError::OutsideRoom { axis, value_m, least_m, most_m });
             }
@@ -236,7 +238,10 @@ mod tests {
         assert!(matches!(flown(sample(1.0, 0.0), turned), CaptureError::AttitudeJump { .. }));
         let named = |t, name: &str| CaptureSample { name: Some(name.into()), ..sample(t, 0.0) };
         assert!(matches!(flown(named(1.0, "a"), named(1.005, "b")), CaptureError::SeveralBodies { .. }));
-        assert!(matches!(flown(sample(1.0, 2.95), sample(1.005, 3.05)), CaptureError::OutsideRoom { axis: 'x', .. }));
+        assert!(matches!(
+            flown(sample(1.0, 2.95), sample(1.005, 3.05)),
+            CaptureError::OutsideRoom { axis: 'x', .. }
+        ));
     }
 
     #[test]

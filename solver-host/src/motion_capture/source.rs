@@ -52,7 +52,8 @@ impl Capture {
             std::thread::spawn(move || read_lines(std::io::stdin().lock(), &sender));
         } else {
             let at = spec.strip_prefix("udp:").ok_or_else(|| CaptureError::Name { spec: spec.to_owned() })?;
-            let listen = |e: std::io::Error| CaptureError::Listen { spec: spec.to_owned(), reason: e.to_string() };
+            let listen =
+                |e: std::io::Error| CaptureError::Listen { spec: spec.to_owned(), reason: e.to_string() };
             let socket = UdpSocket::bind(at).map_err(listen)?;
             address = socket.local_addr().ok();
             std::thread::spawn(move || read_datagrams(&socket, &sender));

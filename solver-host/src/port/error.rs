@@ -88,7 +88,8 @@ pub enum PortError {
 /// Serial devices in words.
 fn found(available: &[String]) -> String {
     if available.is_empty() {
-        return "no serial device is connected: plug one in, and check that the cable carries data".to_owned();
+        return "no serial device is connected: plug one in, and check that the cable carries data"
+            .to_owned();
     }
     format!("connected are {}", available.join(", "))
 }

@@ -119,7 +119,8 @@ impl Port {
                     .and_then(|()| stream.write(rest)),
                 Transport::Udp { socket, heard } => {
                     let datagram = &rest[..rest.len().min(MAX_DATAGRAM)];
-                    let ready = socket.set_nonblocking(false).and_then(|()| socket.set_write_timeout(Some(left)));
+                    let ready =
+                        socket.set_nonblocking(false).and_then(|()| socket.set_write_timeout(Some(left)));
                     let result = ready.and_then(|()| socket.send(datagram));
                     match forgive(result, *heard) {
                         // As lost as any datagram.
@@ -184,7 +185,9 @@ fn connect(name: &str, address: &str) -> Result<TcpStream, PortError> {
         }
     }
     match last {
-        Some(e) if e.kind() == ErrorKind::ConnectionRefused => Err(PortError::Refused { port: name.to_owned() }),
+        Some(e) if e.kind() == ErrorKind::ConnectionRefused => {
+            Err(PortError::Refused { port: name.to_owned() })
+        }
         source => Err(PortError::Unreachable {
             port: name.to_owned(),
             source: source.unwrap_or_else(|| ErrorKind::NotFound.into()),
@@ -195,8 +198,11 @@ fn connect(name: &str, address: &str) -> Result<TcpStream, PortError> {
 /// A socket that talks with one address only.
 fn datagrams(name: &str, address: &str) -> Result<UdpSocket, PortError> {
     let address = resolve(name, address)?.swap_remove(0);
-    let any: SocketAddr =
-        if address.is_ipv4() { ([0, 0, 0, 0], 0).into() } else { (std::net::Ipv6Addr::UNSPECIFIED, 0).into() };
+    let any: SocketAddr = if address.is_ipv4() {
+        ([0, 0, 0, 0], 0).into()
+    } else {
+        (std::net::Ipv6Addr::UNSPECIFIED, 0).into()
+    };
     let open = || {
         let socket = UdpSocket::bind(any)?;
         socket.connect(address)?;

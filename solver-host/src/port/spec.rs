@@ -86,7 +86,9 @@ mod tests {
 
     #[test]
     fn names_are_read_and_written_back() {
-        for name in ["/dev/ttyUSB0", "COM3", "/dev/ttyACM1?baud=115200", "tcp:localhost:5760", "udp:[::1]:14550"] {
+        for name in
+            ["/dev/ttyUSB0", "COM3", "/dev/ttyACM1?baud=115200", "tcp:localhost:5760", "udp:[::1]:14550"]
+        {
             let spec: PortSpec = name.parse().expect(name);
             assert_eq!(spec.to_string(), name);
         }
@@ -97,8 +99,18 @@ mod tests {
     #[test]
     fn names_that_cannot_be_meant_are_refused() {
         for name in [
-            "", "tcp:", "tcp:host", "tcp::80", "udp:host:0", "udp:host:70000", "/dev/x?", "/dev/x?speed=1", "x?baud=",
-            "x?baud=0", "x?baud=99999999999", "?baud=9600",
+            "",
+            "tcp:",
+            "tcp:host",
+            "tcp::80",
+            "udp:host:0",
+            "udp:host:70000",
+            "/dev/x?",
+            "/dev/x?speed=1",
+            "x?baud=",
+            "x?baud=0",
+            "x?baud=99999999999",
+            "?baud=9600",
         ] {
             let error = name.parse::<PortSpec>().expect_err(name);
             assert!(matches!(error, PortError::Name { .. }), "{name}: {error}");

@@ -98,10 +98,7 @@ impl<L: Link> Session<L> {
             round_trip_ms: Spread::of(trips),
             telemetry_ms: Spread::of(gaps),
             telemetry_hz: (self.client().telemetry_count() - first) as f64 / lasted_s,
-            damaged: (
-                self.client().line_errors() - began.1,
-                telemetry.link_errors.saturating_sub(began.2),
-            ),
+            damaged: (self.client().line_errors() - began.1, telemetry.link_errors.saturating_sub(began.2)),
             telemetry,
         })
     }

@@ -35,7 +35,9 @@ pub enum SessionError {
     #[error(transparent)]
     Table(#[from] TableError),
     /// The vehicle takes other tables.
-    #[error("the vehicle takes tables of another layout ({theirs:#010x}, this mintime writes {SCHEMA_HASH:#010x}): flash its firmware again")]
+    #[error(
+        "the vehicle takes tables of another layout ({theirs:#010x}, this mintime writes {SCHEMA_HASH:#010x}): flash its firmware again"
+    )]
     Schema {
         /// Its layout.
         theirs: u32,
@@ -208,9 +210,9 @@ impl<L: Link> Session<L> {
                 Ok(Reply::Staged { length }) => offset = usize::from(length),
                 Ok(_) => return Err(mismatch(DURING)),
                 // Somebody else staged meanwhile, or the vehicle was reset: go on where it wants.
-                Err(SessionError::Client { source: ClientError::Refused(Refusal::Gap { expected }), .. })
-                    if gaps < 3 =>
-                {
+                Err(SessionError::Client {
+                    source: ClientError::Refused(Refusal::Gap { expected }), ..
+                }) if gaps < 3 => {
                     gaps += 1;
                     offset = usize::from(expected);
                 }
@@ -218,7 +220,8 @@ impl<L: Link> Session<L> {
             }
         }
         let checksum = table.checksum();
-        let Reply::Committed { duration_s, .. } = self.call(DURING, Request::CommitTable { checksum })? else {
+        let Reply::Committed { duration_s, .. } = self.call(DURING, Request::CommitTable { checksum })?
+        else {
             return Err(mismatch(DURING));
         };
         if self.read_table()? != sent {

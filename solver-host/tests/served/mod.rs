@@ -15,20 +15,20 @@ use mintime_shared::messages::{BoardTelemetry, KillSwitch, RECORD_BYTES};
 
 /// What the line does to chunks of bytes (datagrams, where it is UDP), each way.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Faults {
+pub(crate) struct Faults {
     /// Part that is lost.
-    pub loss: f64,
+    pub(crate) loss: f64,
     /// Part that comes twice.
-    pub twice: f64,
+    pub(crate) twice: f64,
     /// Chunks are held up by a random time up to this.
-    pub held_up: Duration,
+    pub(crate) held_up: Duration,
     /// Chunks come in bursts with this between them.
-    pub burst: Duration,
+    pub(crate) burst: Duration,
 }
 
 /// What the vehicle hangs on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum By {
+pub(crate) enum By {
     Tcp,
     Udp,
     #[cfg(unix)]
@@ -36,9 +36,9 @@ pub enum By {
 }
 
 /// A vehicle that is served until this is dropped.
-pub struct Served {
+pub(crate) struct Served {
     /// Its name for `mintime`.
-    pub port: String,
+    pub(crate) port: String,
     stop: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
@@ -53,7 +53,7 @@ impl Drop for Served {
 }
 
 impl Served {
-    pub fn new(by: By, faults: Faults) -> Self {
+    pub(crate) fn new(by: By, faults: Faults) -> Self {
         let (end, port) = End::open(by);
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = Arc::clone(&stop);
@@ -62,7 +62,7 @@ impl Served {
     }
 
     /// Pulls the plug.
-    pub fn vanish(&mut self) {
+    pub(crate) fn vanish(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take() {
             thread.join().expect("it served");
@@ -97,7 +97,8 @@ impl End {
             By::Pty => {
                 use std::os::fd::AsRawFd as _;
                 let (mut board, host) = serial2::SerialPort::pair().expect("a pseudo-terminal");
-                let path = std::fs::read_link(format!("/proc/self/fd/{}", host.as_raw_fd())).expect("its name");
+                let path =
+                    std::fs::read_link(format!("/proc/self/fd/{}", host.as_raw_fd())).expect("its name");
                 // Not to be read, but held: without it a program that closes the port would hang the board up.
                 std::mem::forget(host);
                 board.set_read_timeout(Duration::ZERO).expect("possible");
@@ -155,7 +156,8 @@ impl Way {
     }
 
     fn chance(&mut self) -> f64 {
-        self.random = self.random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.random =
+            self.random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.random >> 33) as f64 / f64::from(1u32 << 31)
     }
 
@@ -214,8 +216,7 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool) {
         // A real gyro's last bit never rests.
         let noise = if tick.is_multiple_of(2) { 1e-3 } else { -1e-3 };
         let imu = Some(ImuSample { gyro_radps: [noise, -noise, noise], accel_mps2: [0.0, noise, 9.81] });
-        let input =
-            TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
+        let input = TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
         vehicle.tick(&input);
         let mut out = [0; 115];
         let sent = vehicle.transmit(&mut out);

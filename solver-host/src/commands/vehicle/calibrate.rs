@@ -106,7 +106,9 @@ fn settle(bench: &mut Bench, timeout_s: f64) -> Result<(), Box<dyn std::error::E
             return Ok(());
         }
         if bench.now_s() - since_s > timeout_s {
-            return Err("the calibration does not come to an end: keep the vehicle still and try again".into());
+            return Err(
+                "the calibration does not come to an end: keep the vehicle still and try again".into()
+            );
         }
     }
 }

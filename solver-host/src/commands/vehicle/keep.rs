@@ -57,9 +57,11 @@ impl Params {
             match bench.vehicle()? {
                 Some(vehicle) => to_json(&vehicle)?,
                 None => {
-                    return Err("the vehicle has no vehicle file yet: write one with `params --file FILE.json`; \
+                    return Err(
+                        "the vehicle has no vehicle file yet: write one with `params --file FILE.json`; \
                                 docs/vehicles.md says what stands in it"
-                        .into());
+                            .into(),
+                    );
                 }
             }
         };
@@ -81,7 +83,8 @@ impl Params {
             let map = value.as_mut().and_then(Value::as_object_mut);
             let map = map.ok_or("there is nothing to change yet: write a whole file with --file first")?;
             let names = || map.keys().cloned().collect::<Vec<_>>().join(", ");
-            let to = serde_json::from_str(to).map_err(|e| format!("{change}: the value is not JSON ({e})"))?;
+            let to =
+                serde_json::from_str(to).map_err(|e| format!("{change}: the value is not JSON ({e})"))?;
             if !map.contains_key(name) {
                 return Err(format!("{name} is no parameter: there are {}", names()).into());
             }
@@ -90,7 +93,9 @@ impl Params {
         if self.file.is_none() && self.set.is_empty() {
             return Ok(None);
         }
-        value.map(|v| serde_json::from_value(v).map_err(|e| format!("not usable as parameters: {e}").into())).transpose()
+        value
+            .map(|v| serde_json::from_value(v).map_err(|e| format!("not usable as parameters: {e}").into()))
+            .transpose()
     }
 }
 
@@ -117,7 +122,9 @@ impl Upload {
             bench.store(name, checksum)?;
         }
         let kept = self.name.as_ref().map(|n| format!(", kept as {n}")).unwrap_or_default();
-        let text = format!("the vehicle will fly table {checksum:#010x}, {duration_s:.4} s, at the next trigger{kept}");
+        let text = format!(
+            "the vehicle will fly table {checksum:#010x}, {duration_s:.4} s, at the next trigger{kept}"
+        );
         let value = json!({ "checksum": format!("{checksum:#010x}"), "duration_s": to_json(&duration_s)?, "name": self.name });
         Ok((value, text))
     }
@@ -217,7 +224,9 @@ impl Pair {
         write_secret(path, &format!("{}\n", key_text(&key)))?;
         if let Err(error) = bench.pair(Some(key)) {
             let kept = path.display();
-            return Err(format!("{error}; in case the vehicle took the key after all, it is in {kept}").into());
+            return Err(
+                format!("{error}; in case the vehicle took the key after all, it is in {kept}").into()
+            );
         }
         let text = format!("paired; the key is in {}: keep it, and give it with --key", path.display());
         Ok((json!({ "paired": true, "key_file": path }), text))
@@ -236,5 +245,6 @@ fn write_secret(path: &Path, text: &str) -> Result<(), String> {
         file.write_all(text.as_bytes())?;
         file.sync_all()
     };
-    write().map_err(|e: std::io::Error| format!("{} cannot be written ({e}): name a new file", path.display()))
+    write()
+        .map_err(|e: std::io::Error| format!("{} cannot be written ({e}): name a new file", path.display()))
 }

@@ -52,8 +52,12 @@ impl TestMotors {
         let turned = result?;
         disarmed?;
         let names: Vec<_> = turned.iter().map(|m| PLACES[usize::from(*m)]).collect();
-        let text = format!("turned: {}. Was it that motor each time, and the right way round?", names.join(", "));
-        Ok((json!({ "turned": turned.iter().map(|m| m + 1).collect::<Vec<_>>(), "throttle": self.throttle }), text))
+        let text =
+            format!("turned: {}. Was it that motor each time, and the right way round?", names.join(", "));
+        Ok((
+            json!({ "turned": turned.iter().map(|m| m + 1).collect::<Vec<_>>(), "throttle": self.throttle }),
+            text,
+        ))
     }
 
     fn turn(&self, bench: &mut Bench) -> Result<Vec<u8>, Box<dyn Error>> {

@@ -150,7 +150,10 @@ impl Measure {
         });
         let spread = |s: Option<Spread>| {
             s.map_or("not measured".to_owned(), |s| {
-                format!("{:.2} ms median, {:.2} to {:.2}, 99 % below {:.2}", s.median, s.least, s.greatest, s.p99)
+                format!(
+                    "{:.2} ms median, {:.2} to {:.2}, 99 % below {:.2}",
+                    s.median, s.least, s.greatest, s.p99
+                )
             })
         };
         let part = 100.0 * f64::from(m.repeated) / f64::from(m.asked.max(1));
