@@ -62,7 +62,8 @@ impl CaptureSample {
             within("attitude_wxyz", value, 2.0)?;
         }
         let norm = attitude_wxyz.iter().map(|q| q * q).sum::<f64>().sqrt();
-        if !((norm - 1.0).abs() <= NORM_TOLERANCE) {
+        // Finite: its parts are bounded.
+        if (norm - 1.0).abs() > NORM_TOLERANCE {
             return Err(CaptureError::NotUnit { norm });
         }
         Ok(Self { t_s: t, position_m, attitude_wxyz: attitude_wxyz.map(|q| q / norm), name })

@@ -43,14 +43,14 @@ impl Params {
     pub(super) fn run(&self, bench: &mut Bench) -> Said {
         let value = if self.settings {
             let now = bench.settings()?;
-            if let Some(settings) = self.wanted::<Settings>(Some(now))? {
+            if let Some(settings) = self.wanted(Some(&now))? {
                 settings.check()?;
                 bench.set_settings(&settings)?;
             }
             to_json(&bench.settings()?)?
         } else {
             let now = bench.vehicle()?;
-            if let Some(vehicle) = self.wanted::<VehicleConfig>(now)? {
+            if let Some(vehicle) = self.wanted(now.as_ref())? {
                 vehicle.check()?;
                 bench.set_vehicle(&vehicle)?;
             }
@@ -73,10 +73,10 @@ impl Params {
     }
 
     /// What the vehicle shall have, if it shall have something else.
-    fn wanted<T: Serialize + DeserializeOwned>(&self, now: Option<T>) -> Result<Option<T>, Box<dyn Error>> {
+    fn wanted<T: Serialize + DeserializeOwned>(&self, now: Option<&T>) -> Result<Option<T>, Box<dyn Error>> {
         let mut value = match &self.file {
             Some(path) => Some(read_json(path)?),
-            None => now.as_ref().map(to_json).transpose()?,
+            None => now.map(to_json).transpose()?,
         };
         for change in &self.set {
             let (name, to) = change.split_once('=').ok_or_else(|| format!("{change}: give NAME=VALUE"))?;
