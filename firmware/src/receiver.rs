@@ -14,7 +14,7 @@
 /// Without a frame of channels for this long the switch is lost, µs. Receivers send one every 2 to 20 ms and stop, or set
 /// the link quality to zero, when they lose their transmitter.
 pub const LOST_US: u64 = 250_000;
-/// Speed of the line [baud].
+/// Speed of the line (baud).
 pub const BAUD: u32 = 420_000;
 /// Bytes looked at in one call at most; a line at [`BAUD`] brings 53 in 1.25 ms.
 pub const BYTES_PER_CALL: usize = 128;
@@ -74,8 +74,7 @@ pub struct KillSwitchConfig {
 
 impl KillSwitchConfig {
     /// AUX1, a switch of two positions.
-    pub const DEFAULT: Self =
-        Self { channel: 5, run_above_us: 1700, kill_below_us: 1300, frames_to_run: 3 };
+    pub const DEFAULT: Self = Self { channel: 5, run_above_us: 1700, kill_below_us: 1300, frames_to_run: 3 };
 
     /// Whether it can be used: a channel that exists, positions apart and within what a channel can say.
     pub const fn is_valid(&self) -> bool {
@@ -131,6 +130,7 @@ impl Parser {
     }
 
     /// Takes a byte, and answers the frame that it completes. Shifts at most [`FRAME_BYTES`] bytes.
+    #[inline(never)]
     pub fn push(&mut self, byte: u8) -> Option<Frame> {
         if let Some(slot) = self.bytes.get_mut(self.length) {
             *slot = byte;
@@ -162,8 +162,7 @@ impl Parser {
         for _ in 0..FRAME_BYTES {
             let begin = self.bytes.first() == Some(&ADDRESS_FLIGHT_CONTROLLER);
             // Type and checksum at least, and no more than a frame may have.
-            let fits =
-                self.length < 2 || self.bytes.get(1).is_some_and(|n| (2..=62).contains(n));
+            let fits = self.length < 2 || self.bytes.get(1).is_some_and(|n| (2..=62).contains(n));
             if self.length == 0 || begin && fits {
                 return;
             }
@@ -214,6 +213,7 @@ fn unpack(payload: &[u8]) -> [u16; CHANNELS] {
 }
 
 /// CRC-8 with the polynomial 0xD5, as DVB-S2 has it.
+#[inline(never)]
 pub fn crc8(bytes: &[u8]) -> u8 {
     bytes.iter().fold(0, |crc, byte| {
         (0..8).fold(crc ^ byte, |crc, _| if crc & 0x80 != 0 { crc << 1 ^ 0xD5 } else { crc << 1 })
@@ -251,6 +251,7 @@ impl KillSwitch {
 
     /// Takes what the receiver sent since the last call, at most [`BYTES_PER_CALL`] bytes of it, and answers what the pilot
     /// wants at `now_us`. Call it every tick, with or without bytes: silence is an answer too.
+    #[inline(never)]
     pub fn update(&mut self, now_us: u64, bytes: &[u8]) -> KillState {
         // More than a line can bring in a tick is what piled up while nothing ran: the oldest of it is worth the least.
         let recent = bytes.get(bytes.len().saturating_sub(BYTES_PER_CALL)..).unwrap_or_default();

@@ -17,9 +17,11 @@
 //! erase.
 
 mod order;
+mod record;
 
 use mintime_shared::crc32;
 pub use order::{Done, Order};
+use record::{Record, RecordHeader};
 
 /// Bytes of each of the two sectors.
 pub const SECTOR_BYTES: usize = 16 * 1024;
@@ -106,6 +108,21 @@ pub enum StoreError {
     WornOut,
 }
 
+impl StoreError {
+    /// In words.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Flash(FlashFault::Place) => "outside the store",
+            Self::Flash(FlashFault::Locked) => "flash stays locked",
+            Self::Flash(FlashFault::Busy) => "flash stays busy",
+            Self::Flash(FlashFault::Refused(_)) => "flash raised an error flag",
+            Self::TooLong => "too long",
+            Self::Buffer(_) => "longer than it may be",
+            Self::WornOut => "flash is worn out",
+        }
+    }
+}
+
 impl From<FlashFault> for StoreError {
     fn from(fault: FlashFault) -> Self {
         Self::Flash(fault)
@@ -142,7 +159,7 @@ impl Key {
     ];
 
     /// Its number in flash, which never changes its meaning.
-    const fn code(self) -> u8 {
+    pub const fn code(self) -> u8 {
         match self {
             Self::Vehicle => 1,
             Self::Settings => 2,
@@ -150,70 +167,6 @@ impl Key {
             Self::Table(n) if n < TABLES => 16 + n,
             Self::Table(_) => 16 + TABLES - 1,
         }
-    }
-}
-
-/// The word before a value: key, length, whether the key is removed, and a checksum of these, so that a length cut short is
-/// not believed.
-#[derive(Clone, Copy)]
-struct RecordHeader {
-    code: u8,
-    length: usize,
-    removed: bool,
-}
-
-impl RecordHeader {
-    const REMOVED: u32 = 1 << 17;
-    const CHECK_SHIFT: u32 = 18;
-
-    fn word(self) -> u32 {
-        let plain =
-            u32::from(self.code) | (self.length as u32) << 8 | if self.removed { Self::REMOVED } else { 0 };
-        plain | crc32(&plain.to_le_bytes()) << Self::CHECK_SHIFT
-    }
-
-    fn from_word(word: u32) -> Option<Self> {
-        let length = (word >> 8 & 0x1FF) as usize;
-        let header = Self { code: word as u8, length, removed: word & Self::REMOVED != 0 };
-        (length <= VALUE_BYTES && header.word() == word).then_some(header)
-    }
-
-    /// Bytes of the whole record.
-    fn record_bytes(self) -> usize {
-        WORD + self.length.next_multiple_of(WORD) + WORD
-    }
-}
-
-/// Header word and value, as its checksum sees them.
-struct Record {
-    bytes: [u8; WORD + VALUE_BYTES],
-    length: usize,
-}
-
-impl Record {
-    fn new(header: RecordHeader, value: &[u8]) -> Self {
-        let mut bytes = [0xFF; WORD + VALUE_BYTES];
-        let (head, body) = bytes.split_at_mut(WORD);
-        head.copy_from_slice(&header.word().to_le_bytes());
-        for (slot, byte) in body.iter_mut().zip(value) {
-            *slot = *byte;
-        }
-        Self { bytes, length: value.len().min(VALUE_BYTES) }
-    }
-
-    fn checksum(&self) -> u32 {
-        crc32(self.bytes.get(..WORD + self.length).unwrap_or_default())
-    }
-
-    fn value(&self) -> &[u8] {
-        self.bytes.get(WORD..WORD + self.length).unwrap_or_default()
-    }
-
-    /// In the order in which they are programmed.
-    fn words(&self) -> impl Iterator<Item = u32> + '_ {
-        let used = WORD + self.length.next_multiple_of(WORD);
-        let words = self.bytes.as_chunks::<WORD>().0.iter().take(used / WORD);
-        words.map(|word| u32::from_le_bytes(*word)).chain([self.checksum()])
     }
 }
 
@@ -246,6 +199,7 @@ impl<F: Flash> Store<F> {
     ///
     /// # Errors
     /// [`StoreError::Buffer`], [`StoreError::Flash`].
+    #[inline(never)]
     pub fn read(&mut self, key: Key, into: &mut [u8]) -> Result<Option<usize>, StoreError> {
         let Some((sector, _)) = self.live()? else { return Ok(None) };
         let Some(record) = self.latest(sector, key)? else { return Ok(None) };
@@ -292,6 +246,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The sector that counts, and its generation.
+    #[inline(never)]
     fn live(&mut self) -> Result<Option<(Sector, u32)>, StoreError> {
         let mut live: Option<(Sector, u32)> = None;
         for sector in Sector::BOTH {
@@ -320,6 +275,7 @@ impl<F: Flash> Store<F> {
 
     /// Walks through the records. One whose value is damaged is passed over; behind one whose length cannot be believed
     /// nothing is read and nothing more is written.
+    #[inline(never)]
     fn scan(&mut self, sector: Sector, key: Key) -> Result<Scan, StoreError> {
         let mut found = Scan { latest: None, end: HEADER_BYTES };
         // A record takes two words at least.
@@ -345,6 +301,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The record at `offset`, if it is whole.
+    #[inline(never)]
     fn record(
         &mut self,
         sector: Sector,
@@ -360,6 +317,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// The latest record of a key, unless it says that the key is removed.
+    #[inline(never)]
     fn latest(&mut self, sector: Sector, key: Key) -> Result<Option<Record>, StoreError> {
         match self.scan(sector, key)?.latest {
             Some((offset, header)) if !header.removed => self.record(sector, offset, header),
@@ -367,7 +325,14 @@ impl<F: Flash> Store<F> {
         }
     }
 
+    /// Whether `key` has this value. Apart, as [`Self::begin`] is, so that no two records lie on the stack of a write.
+    #[inline(never)]
+    fn holds(&mut self, sector: Sector, key: Key, value: Option<&[u8]>) -> Result<bool, StoreError> {
+        Ok(self.latest(sector, key)?.as_ref().map(Record::value) == value)
+    }
+
     /// Appends `record`, in the live sector or, where it does not fit, after a move.
+    #[inline(never)]
     fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
         let Some((live, generation)) = self.live()? else {
             if value.is_none() {
@@ -375,8 +340,7 @@ impl<F: Flash> Store<F> {
             }
             return self.begin(Sector::First, 1, None, key, record);
         };
-        let current = self.latest(live, key)?;
-        if current.as_ref().map(Record::value) == value {
+        if self.holds(live, key, value)? {
             return Ok(());
         }
         let end = self.scan(live, key)?.end;
@@ -387,6 +351,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// Programs `record` and reads it again: where the next one goes, or none if there is no room or it does not hold.
+    #[inline(never)]
     fn append(
         &mut self,
         sector: Sector,
@@ -409,6 +374,7 @@ impl<F: Flash> Store<F> {
     }
 
     /// Makes `sector` live: erases it, takes over what is alive in `from`, adds `record` for `key`, and writes the header.
+    #[inline(never)]
     fn begin(
         &mut self,
         sector: Sector,

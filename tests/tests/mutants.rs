@@ -53,7 +53,7 @@ const MUTANTS: [Mutant; 10] = [
         name: "wrong-stream",
         file: "src/board/facts.rs",
         from: "MOTOR_DMA_STREAM: usize = 6;",
-        to: "MOTOR_DMA_STREAM: usize = 5;",
+        to: "MOTOR_DMA_STREAM: usize = 4;",
     },
     Mutant {
         name: "unclocked-port",
@@ -250,7 +250,7 @@ fn a_reload_value_off_by_one_is_a_wrong_rate() {
 fn a_wrong_stream_moves_no_motor() {
     let mut bench = mutant("wrong-stream");
     bench.pass_ms(300);
-    bench.assert_bug("no peripheral asks on DMA1 stream 5 channel 2");
+    bench.assert_bug("no peripheral asks on DMA1 stream 4 channel 2");
     let log = bench.log();
     assert!(log.crashes().contains(&"UnexpectedInterrupt"), "{:?}", log.0);
     assert!(!bench.ever_turned());
@@ -302,7 +302,7 @@ fn an_access_too_early_for_the_gyro_is_a_bug() {
     bench.assert_bug("BMI270: an access comes within 450 µs of leaving advanced power save");
 }
 
-/// The firmware erases nothing yet; whoever lets it must empty the data cache behind it.
+/// Whoever erases must empty the data cache behind it, as the store does.
 #[test]
 fn a_stale_cache_after_an_erase_is_a_bug() {
     let old = 0x1234_5678_u32;

@@ -72,19 +72,21 @@ impl CrsfReceiver {
         // One that was plugged in late does not catch up.
         self.next_ns = (self.next_ns + self.period_ns).max(ns + 1);
         self.count += 1;
-        let mut bytes = frame(CHANNELS, &pack(&self.channels));
+        let mut frames = vec![frame(CHANNELS, &pack(&self.channels))];
         if self.count.is_multiple_of(FRAMES_PER_STATISTICS) {
-            bytes.extend(frame(LINK_STATISTICS, &[90, 90, self.link_quality, 5, 0, 2, 3, 90, 100, 5]));
+            frames.push(frame(LINK_STATISTICS, &[90, 90, self.link_quality, 5, 0, 2, 3, 90, 100, 5]));
         }
         match self.defect {
             CrsfDefect::None => {}
             CrsfDefect::Silent => return None,
             CrsfDefect::FlippedBit => {
-                let bit = (self.count * 7) as usize % (bytes.len() * 8);
-                bytes[bit / 8] ^= 1 << (bit % 8);
+                for bytes in &mut frames {
+                    let bit = (self.count * 7) as usize % (bytes.len() * 8);
+                    bytes[bit / 8] ^= 1 << (bit % 8);
+                }
             }
         }
-        Some(bytes)
+        Some(frames.concat())
     }
 }
 

@@ -193,6 +193,8 @@ impl Control {
         self.forget_crash();
         self.take_gyro();
         let status = self.publish();
+        // Here the flight logic's orders to the store go out (`storage::submit`, with the motors off) and their answers come
+        // in (`storage::take_done`); `storage::busy` is a reason not to arm.
         self.watch.note(&input, &output, self.vehicle.state(), &status);
         self.move_bytes();
         self.watch.ticks = self.watch.ticks.wrapping_add(1);

@@ -23,18 +23,38 @@ const STORE_ADDRESS: usize = 0x0800_4000;
 /// by bytes (DS8626, flash memory programming).
 const BUSY_CYCLES: u32 = 168_000_000 / 5 * 6;
 
+/// Longest wait for a quiet moment, cycles: 3 ms at 168 MHz, more than two control ticks.
+const QUIET_CYCLES: u32 = 168 * 3000;
+
 /// The store's flash. There is one.
 #[derive(Debug)]
-pub(super) struct StoreFlash(());
+pub(super) struct StoreFlash {
+    quiet: fn() -> bool,
+}
 
 impl StoreFlash {
-    /// Takes it over. Once.
-    pub(super) const fn new() -> Self {
-        Self(())
+    /// Takes it over. Once. `quiet` is asked with interrupts off whether nothing will need the processor for the next 0.1 ms:
+    /// where a motors' frame or the tick before it waits for a word being programmed, it comes late.
+    pub(super) const fn new(quiet: fn() -> bool) -> Self {
+        Self { quiet }
+    }
+
+    /// Runs an operation with interrupts off, in a quiet moment if one comes soon.
+    #[inline(never)]
+    fn when_quiet(&self, operation: impl Fn() -> Result<(), FlashFault>) -> Result<(), FlashFault> {
+        let begin = DWT::cycle_count();
+        loop {
+            let late = DWT::cycle_count().wrapping_sub(begin) > QUIET_CYCLES;
+            let result = cortex_m::interrupt::free(|_| (late || (self.quiet)()).then(&operation));
+            if let Some(result) = result {
+                return result;
+            }
+        }
     }
 }
 
 impl Flash for StoreFlash {
+    #[inline(never)]
     fn read(&mut self, sector: Sector, offset: usize, into: &mut [u8]) -> Result<(), FlashFault> {
         let from = place(sector, offset, into.len())? as *const u8;
         for (n, byte) in into.iter_mut().enumerate() {
@@ -50,20 +70,22 @@ impl Flash for StoreFlash {
         if !offset.is_multiple_of(4) {
             return Err(FlashFault::Place);
         }
-        unlocked(|| {
-            FLASH.cr().write(|w| {
-                w.set_psize(Psize::PSIZE32);
-                w.set_pg(true);
-            });
-            // SAFETY: inside the store's sectors and aligned; flash takes the write as a command, no memory of the program
-            // changes.
-            unsafe { ptr::write_volatile(place as *mut u32, word) };
-            cortex_m::asm::dsb();
-            wait()
+        self.when_quiet(|| {
+            unlocked(|| {
+                FLASH.cr().write(|w| {
+                    w.set_psize(Psize::PSIZE32);
+                    w.set_pg(true);
+                });
+                // SAFETY: inside the store's sectors and aligned; flash takes the write as a command, no memory of the
+                // program changes.
+                unsafe { ptr::write_volatile(place as *mut u32, word) };
+                cortex_m::asm::dsb();
+                wait()
+            })
         })
     }
 
-    /// With interrupts off: nothing could run, and the clock stands still meanwhile, because it would lose count of its
+    /// Nothing else could run meanwhile, and the clock stands still, because it would lose count of its
     /// rounds (65 ms) if nobody answered its interrupt for longer than half of one.
     fn erase(&mut self, sector: Sector) -> Result<(), FlashFault> {
         let number = match sector {
@@ -78,8 +100,8 @@ impl Flash for StoreFlash {
                 w.set_strt(start);
             });
         };
-        unlocked(|| {
-            cortex_m::interrupt::free(|_| {
+        self.when_quiet(|| {
+            unlocked(|| {
                 let running = RCC.apb1enr().read().tim5en() && TIM5.cr1().read().cen();
                 if running {
                     TIM5.cr1().modify(|w| w.set_cen(false));

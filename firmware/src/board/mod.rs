@@ -65,7 +65,7 @@ fn start() -> ! {
     let vehicle = vehicle::take();
     // Half of the number: the other half is nobody's business.
     vehicle.set_session(run.bits as u32);
-    if !vehicle::restore(vehicle, &mut store) {
+    if !storage::each(&mut store, |key, value| vehicle.restore(key, value)) {
         vehicle.report(IncidentCause::StoreDamaged);
     }
     if let Some(cause) = incident(crash.as_ref(), cause) {

@@ -4,21 +4,23 @@
 //! are off, and may let nobody arm while [`busy`] says so. From [`submit`] on that is the case, up to the tick in which the
 //! answer can be taken.
 //!
-//! Times, at the longest: an order waits for thread mode to be free (a millisecond), writing takes 67 words of 0.1 ms, and
-//! once in a hundred writes or so a sector is erased and refilled: 0.5 s and 0.07 s. The watchdog's timeout is lengthened for
-//! each order and set back after it. Time stands still during an erase ([`super::flash`]): ticks neither run late nor count
+//! Times, at the longest: an order waits for thread mode to be free (a millisecond); writing takes 67 words of 0.1 ms, in the
+//! quiet part of the ticks, so twice that; once in a hundred writes or so a sector is erased and refilled, 0.5 s and 0.14 s.
+//! The watchdog's timeout is lengthened for each order and set back after it. Time stands still during an erase ([`super::flash`]): ticks neither run late nor count
 //! as missed, the board's clock is behind by that much afterwards.
 
 use core::cell::{Cell, RefCell};
 use core::sync::atomic::{AtomicBool, Ordering};
 
+use cortex_m::peripheral::DWT;
 use embassy_sync::blocking_mutex::Mutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use mintime_firmware::store::{Done, FlashFault, Order, Store, StoreError};
+use mintime_firmware::store::{Done, FlashFault, Key, Order, Store, StoreError, VALUE_BYTES};
 
+use super::facts::{CORE_MHZ, MOTOR_TIMER};
 use super::flash::StoreFlash;
-use super::{fault, watchdog};
+use super::{fault, tick_source, watchdog};
 
 /// The store of this board.
 pub(super) type BoardStore = Store<StoreFlash>;
@@ -39,7 +41,34 @@ pub(super) struct Occupied;
 
 /// Opens the store, for reading at start-up and then for [`run`]. Once.
 pub(super) fn open() -> BoardStore {
-    Store::new(StoreFlash::new())
+    Store::new(StoreFlash::new(quiet))
+}
+
+/// Whether the control tick and its motors' frame are over and the next ones are not near. With the motors off, too: a frame
+/// spoilt means three seconds until the speed controllers count as armed again.
+fn quiet() -> bool {
+    let since_edge_us = DWT::cycle_count().wrapping_sub(tick_source::edge_cycles()) / CORE_MHZ;
+    let near = since_edge_us < 250 || (1000..1400).contains(&since_edge_us);
+    !near && !MOTOR_TIMER.cr1().read().cen()
+}
+
+/// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 5 ms. What cannot
+/// be read is told and left out. Returns whether all of it could be read and `take` took it.
+#[inline(never)]
+pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8]) -> bool) -> bool {
+    let mut value = [0; VALUE_BYTES];
+    let mut whole = true;
+    for key in Key::ALL {
+        whole &= match store.read(key, &mut value) {
+            Ok(Some(length)) => take(key, value.get(..length).unwrap_or_default()),
+            Ok(None) => true,
+            Err(error) => {
+                defmt::error!("kept: key {=u8} cannot be read: {=str}", key.code(), error.text());
+                false
+            }
+        };
+    }
+    whole
 }
 
 /// Hands over an order; its answer comes back under the same `number`. From the control tick, with the motors off: the
@@ -81,7 +110,7 @@ pub(super) async fn run(mut store: BoardStore) {
         let Some((number, order)) = order else { continue };
         let result = with_time(|| order.carry_out(&mut store));
         if let Err(error) = result {
-            defmt::warn!("the store: order {=u32} failed: {}", number, defmt::Debug2Format(&error));
+            defmt::warn!("the store: order {=u32} failed: {=str}", number, error.text());
         }
         DONE.lock(|done| done.set(Some(Done { number, result })));
         BUSY.store(false, Ordering::Release);
@@ -90,8 +119,7 @@ pub(super) async fn run(mut store: BoardStore) {
 
 /// Runs `work` under a watchdog that allows for an erase.
 fn with_time(work: impl FnOnce() -> Result<(), StoreError>) -> Result<(), StoreError> {
-    let result =
-        if watchdog::lengthen().is_ok() { work() } else { Err(StoreError::Flash(FlashFault::Busy)) };
+    let result = if watchdog::lengthen().is_ok() { work() } else { Err(StoreError::Flash(FlashFault::Busy)) };
     // A watchdog that cannot be made strict again is none; the motors are off, so start afresh.
     if watchdog::shorten().is_err() {
         fault::set_up_failed(line!());

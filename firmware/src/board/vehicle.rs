@@ -6,14 +6,12 @@ use core::mem::MaybeUninit;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 use mintime_firmware::config::Capabilities;
-use mintime_firmware::store::{Key, VALUE_BYTES};
 use mintime_firmware::vehicle::Vehicle;
 use mintime_firmware::watch::Watch;
 use mintime_shared::messages::RECORD_BYTES;
 use static_cell::StaticCell;
 
 use super::fault;
-use super::storage::BoardStore;
 
 /// Length of the flight record: 4 s at 800 Hz, 64,000 of the 65,536 bytes of core-coupled memory.
 const RECORD_TICKS: usize = 3200;
@@ -49,20 +47,6 @@ pub(super) fn take() -> &'static mut BoardVehicle {
         (*memory).assume_init_mut()
     };
     VEHICLE.init_with(|| Vehicle::new(None, CAPABILITIES, record))
-}
-
-/// Hands the vehicle what the store kept. Returns whether all of it could be read.
-pub(super) fn restore(vehicle: &mut BoardVehicle, store: &mut BoardStore) -> bool {
-    let mut whole = true;
-    let mut value = [0; VALUE_BYTES];
-    for key in Key::ALL {
-        whole &= match store.read(key, &mut value) {
-            Ok(None) => true,
-            Ok(Some(length)) => vehicle.restore(key, value.get(..length).unwrap_or_default()),
-            Err(_) => false,
-        };
-    }
-    whole
 }
 
 struct WatchCell(UnsafeCell<Watch>);

@@ -10,6 +10,7 @@
 use emulator::boards::{MotorUpdate, SpeedyBeeF405V3};
 use emulator::chip::Chip;
 use emulator::core::Timing;
+use emulator::devices::{CRSF_HIGH, CRSF_LOW, CrsfReceiver};
 use emulator::log::Log;
 use emulator::machine::symbol_address;
 use emulator::{Machine, Stop};
@@ -103,6 +104,8 @@ impl VirtualVehicle {
         let mut machine = Machine::new(Chip::new(SpeedyBeeF405V3::new()), timing, scene.seed);
         machine.semihosting = false;
         machine.load_elf(image)?;
+        // The person at the kill switch lets it fly.
+        machine.peripherals.set_receiver(&mut machine.memory, Some(switch_at(CRSF_HIGH)));
         let watch_at = symbol_address(image, WATCH_SYMBOL).ok_or(VirtualBoardError::Foreign)?;
         Ok(Self {
             world: World::new(scene)?,
@@ -121,6 +124,18 @@ impl VirtualVehicle {
             last_bit: 0.0,
             booted: false,
         })
+    }
+
+    /// The person at the kill switch throws it, or lets go of it again.
+    pub fn set_kill_switch(&mut self, stop: bool) {
+        let value = if stop { CRSF_LOW } else { CRSF_HIGH };
+        self.with_receiver(|receiver| receiver.channels[KILL_CHANNEL - 1] = value);
+    }
+
+    /// Does something to the radio receiver; nothing where none is plugged in.
+    pub fn with_receiver(&mut self, change: impl FnOnce(&mut CrsfReceiver)) {
+        let Machine { peripherals, memory, .. } = &mut self.machine;
+        peripherals.with_board(memory, |board, _| board.receiver.as_mut().map(change));
     }
 
     /// Calls `observer` with what each control tick got and gave.
@@ -345,4 +360,14 @@ impl Connection for VirtualVehicle {
     fn enter(&mut self, phase: Phase) {
         self.world.enter(phase);
     }
+}
+
+/// Channel of the kill switch, as the firmware's settings have it at first.
+const KILL_CHANNEL: usize = 5;
+
+/// A radio receiver whose pilot holds the kill switch's channel at a value.
+fn switch_at(value: u16) -> CrsfReceiver {
+    let mut receiver = CrsfReceiver::new();
+    receiver.channels[KILL_CHANNEL - 1] = value;
+    receiver
 }

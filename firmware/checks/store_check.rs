@@ -5,12 +5,12 @@
 #![no_main]
 #![deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
-#[path = "../../firmware/src/board/critical.rs"]
+#[path = "../src/board/critical.rs"]
 mod critical;
-#[path = "../../firmware/src/board/flash.rs"]
+#[path = "../src/board/flash.rs"]
 mod flash;
 #[allow(dead_code)]
-#[path = "../../firmware/src/board/watchdog.rs"]
+#[path = "../src/board/watchdog.rs"]
 mod watchdog;
 
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -92,7 +92,7 @@ fn start() -> ! {
         core.DCB.enable_trace();
         core.DWT.enable_cycle_counter();
     }
-    let mut store = Store::new(StoreFlash::new());
+    let mut store = Store::new(StoreFlash::new(|| true));
     let mut buffer = [0; 256];
     let mut next = 1;
     for (key, found) in REPORT.found.iter().enumerate() {
