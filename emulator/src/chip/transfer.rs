@@ -76,6 +76,9 @@ impl<B: Board> Chip<B> {
                 state.channel()
             );
             report(memory, access, Some(text));
+        } else if state.direction() == Direction::MemoryToPeripheral {
+            let result = self.fill(memory, controller, stream, access.at);
+            self.conclude(memory, controller, stream, access.at, result);
         }
     }
 
@@ -152,6 +155,18 @@ impl<B: Board> Chip<B> {
                 self.item_in(memory, controller, stream, at)
             }
         };
+        self.conclude(memory, controller, stream, at, result);
+    }
+
+    /// What follows from an access: a stream that could not do it goes off.
+    fn conclude(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+        result: Result<(), (Fault, u32)>,
+    ) {
         if let Err((fault, address)) = result {
             self.dma[controller].streams[stream].fail(TEIF);
             let who = format!("DMA{} stream {stream}", controller + 1);
@@ -216,10 +231,30 @@ impl<B: Board> Chip<B> {
         stream: usize,
         at: Cycle,
     ) -> Result<(), (Fault, u32)> {
-        let state = &self.dma[controller].streams[stream];
-        let (width, wide) = (state.peripheral_bytes() as usize, state.memory_bytes());
-        while self.dma[controller].streams[stream].fifo_used < width {
-            let from = self.dma[controller].streams[stream].memory_at;
+        self.fill(memory, controller, stream, at)?;
+        let state = &mut self.dma[controller].streams[stream];
+        let width = state.peripheral_bytes() as usize;
+        let (to, value) = (state.peripheral_at, first_bytes(&state.fifo, width));
+        state.fifo.copy_within(width.., 0);
+        state.fifo_used = state.fifo_used.saturating_sub(width);
+        state.advance_peripheral();
+        self.dma_write(memory, controller, to, width as u32, value, at, true)?;
+        let over = self.dma[controller].streams[stream].count_item();
+        if over { Ok(()) } else { self.fill(memory, controller, stream, at) }
+    }
+
+    /// Reads ahead what is to go out: a stream to a peripheral does so when it is switched on and again behind every item,
+    /// in direct mode for one item, else as much as there is room for (RM0090 section 10.3.7).
+    fn fill(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+    ) -> Result<(), (Fault, u32)> {
+        while self.dma[controller].streams[stream].reads_ahead() {
+            let state = &self.dma[controller].streams[stream];
+            let (from, wide) = (state.memory_at, state.memory_bytes());
             let value = self.dma_read(memory, controller, from, wide, at, false)?;
             let state = &mut self.dma[controller].streams[stream];
             let used = state.fifo_used;
@@ -229,13 +264,6 @@ impl<B: Board> Chip<B> {
             state.fifo_used += wide as usize;
             state.advance_memory();
         }
-        let state = &mut self.dma[controller].streams[stream];
-        let (to, value) = (state.peripheral_at, first_bytes(&state.fifo, width));
-        state.fifo.copy_within(width.., 0);
-        state.fifo_used -= width;
-        state.advance_peripheral();
-        self.dma_write(memory, controller, to, width as u32, value, at, true)?;
-        self.dma[controller].streams[stream].count_item();
         Ok(())
     }
 

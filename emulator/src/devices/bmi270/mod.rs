@@ -22,6 +22,9 @@ const INIT_NS: u64 = 20_000_000;
 const START_UP_NS: u64 = 2_000_000;
 /// Bytes of a complete configuration.
 const CONFIG_BYTES: usize = 8192;
+/// FNV-1a hash (64 bits) of the configuration file that Bosch hands out for the chip (`bmi270_config_file` of its driver):
+/// the chip runs it and checks it, so that anything else, or the same bytes at other addresses, fails.
+const CONFIG_HASH: u64 = 0xA3AB_E71B_91DB_4895;
 /// Highest clock of the interface (Hz).
 const SPI_LIMIT_HZ: u32 = 10_000_000;
 
@@ -349,14 +352,21 @@ impl Bmi270 {
             (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
         });
         self.uploaded = Some(Upload { bytes: self.config_bytes, hash });
-        let blank = self.config.iter().all(|&byte| byte == 0);
-        let passes = self.config_bytes == CONFIG_BYTES && !blank && !self.power_save();
-        if !passes {
+        let complete = self.config_bytes == CONFIG_BYTES;
+        let passes = complete && hash == CONFIG_HASH && !self.power_save();
+        if !complete {
             let text = format!(
                 "BMI270: {} bytes of configuration are loaded instead of {CONFIG_BYTES}",
                 self.config_bytes
             );
             self.tell(TOLD_UPLOAD, text, bugs);
+        } else if !passes {
+            let why = if self.power_save() {
+                "was loaded in advanced power save"
+            } else {
+                "is not the maker's, or does not lie where it belongs (INIT_ADDR)"
+            };
+            self.tell(TOLD_UPLOAD, format!("BMI270: the configuration {why}"), bugs);
         }
         self.init_due = Some((ns + INIT_NS, passes && self.defect != Some(Defect::Configuration)));
     }
