@@ -61,7 +61,7 @@ fn an_unclocked_peripheral_reads_zero_takes_no_write_and_is_told() {
 #[test]
 fn what_is_not_there_says_so() {
     let mut rig = bare();
-    assert_eq!(rig.try_read(0x4000_5400), Err(AccessError::NotEmulated(0x4000_5400)));
+    assert_eq!(rig.try_read(0x4000_5400), Err(AccessError::NotEmulated(0x4000_5400, "I2C1")));
     assert_eq!(rig.try_read(0x4002_7000), Err(AccessError::Nothing(0x4002_7000)));
     assert_eq!(rig.read(0xE004_2000) & 0xFFF, 0x413);
 }

@@ -10,6 +10,8 @@ use emulator::{Machine, Stop};
 
 const READY: Pin = Pin::new('C', 4);
 const PERIOD_NS: u64 = 1_250_000;
+/// Length of the sensor's pulse, ns.
+const PULSE_NS: u64 = 156_250;
 /// Until the gyro is set up its edges are nobody's business, periods.
 const SETTLED: u64 = 200;
 
@@ -51,6 +53,14 @@ impl Line {
             self.board.peripherals.with_board(&mut self.board.memory, |_, effects| {
                 effects.levels.extend([(READY, Some(false)), (READY, Some(true))]);
             });
+            if noise_ns > PULSE_NS {
+                // The sensor's own pulse was over.
+                self.run_to(edge_ns + noise_ns + 500);
+                let memory = &mut self.board.memory;
+                self.board
+                    .peripherals
+                    .with_board(memory, |_, effects| effects.levels.push((READY, Some(false))));
+            }
         }
         // Short of the next edge.
         self.run_to(edge_ns + PERIOD_NS - 100_000);

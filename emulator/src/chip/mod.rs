@@ -24,6 +24,7 @@ mod dma;
 mod dma_requests;
 mod events;
 mod exti;
+mod factory;
 mod flash;
 mod gpio;
 mod happening;
@@ -134,7 +135,10 @@ impl<B: Board> Chip<B> {
 
     /// Makes everything up to `now` happen.
     fn catch_up(&mut self, memory: &mut Memory, now: Cycle) {
-        while let Some((slot, at)) = self.events.pop_due(now) {
+        // Nothing that lies behind a reset happens.
+        while self.reset_cause.is_none()
+            && let Some((slot, at)) = self.events.pop_due(now)
+        {
             self.now = self.now.max(at);
             self.happen(memory, slot, at);
         }
@@ -158,7 +162,8 @@ impl<B: Board> Peripherals for Chip<B> {
                     .rev()
                     .fold(0, |w, &b| w << 8 | u32::from(b)))
             }
-            Place::Absent => Err(AccessError::NotEmulated(access.address)),
+            Place::Factory(offset) => Ok(factory::read(offset, bytes(access.width))),
+            Place::Absent(name) => Err(AccessError::NotEmulated(access.address, name)),
             Place::Nothing => Err(AccessError::Nothing(access.address)),
         }
     }
@@ -178,7 +183,8 @@ impl<B: Board> Peripherals for Chip<B> {
                 self.flash_done(memory, access, done);
                 Ok(())
             }
-            Place::Absent => Err(AccessError::NotEmulated(access.address)),
+            Place::Factory(_) => Err(AccessError::ReadOnly(access.address, factory::NAME)),
+            Place::Absent(name) => Err(AccessError::NotEmulated(access.address, name)),
             Place::Nothing => Err(AccessError::Nothing(access.address)),
         }
     }
@@ -201,6 +207,15 @@ impl<B: Board> Peripherals for Chip<B> {
 
     fn non_maskable(&self) -> bool {
         self.rcc.nmi()
+    }
+
+    fn name_at(&self, address: u32) -> Option<String> {
+        match place(address) {
+            Place::Block(block, _) => Some(block.name()),
+            Place::Absent(name) => Some(format!("{name}, which is not emulated")),
+            Place::Factory(_) => Some(factory::NAME.into()),
+            Place::FlashMemory(_) | Place::Nothing => None,
+        }
     }
 
     fn take_reset(&mut self) -> bool {

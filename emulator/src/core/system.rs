@@ -29,7 +29,7 @@ impl Core {
     ) -> Result<u32, Fault> {
         let _ = peripherals;
         if !self.privileged() {
-            return Err(self.bus_fault(memory, AccessError::Nothing(address)));
+            return Err(self.bus_fault(memory, AccessError::Privileged(address)));
         }
         let word = self.read_word(address & 0xFFFFC) >> (8 * (address & 3));
         Ok(match width {
@@ -99,7 +99,7 @@ impl Core {
         // STIR alone may be open to unprivileged code (CCR.USERSETMPEND).
         let open = offset == 0xEF00 && self.scs.ccr & 2 != 0;
         if !self.privileged() && !open {
-            return Err(self.bus_fault(memory, AccessError::Nothing(address)));
+            return Err(self.bus_fault(memory, AccessError::Privileged(address)));
         }
         let bytes = match width {
             Width::Byte => 1,
