@@ -107,8 +107,8 @@ pub trait Peripherals {
         false
     }
     /// Cycles that the core waits for an access beyond the one that the instruction takes, in pessimistic timing.
-    fn wait_states(&self, address: u32, at: Cycle) -> Cycle {
-        let _ = (address, at);
+    fn wait_states(&self, address: u32) -> Cycle {
+        let _ = address;
         0
     }
     /// Which of the two figures of the cycle model is wanted; told once, before anything else.

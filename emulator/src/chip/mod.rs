@@ -91,6 +91,12 @@ pub struct Chip<B> {
     /// A reset waits to be taken, for this reason (bits of RCC_CSR).
     reset_cause: Option<u32>,
     reset_taken: u32,
+    /// DMA takes its time.
+    pessimistic: bool,
+    /// When each controller is done with the item it carried last.
+    dma_free_at: [Cycle; 2],
+    /// Items carried without a pause.
+    dma_items: u32,
 }
 
 impl<B: Board> Chip<B> {
@@ -122,6 +128,9 @@ impl<B: Board> Chip<B> {
             board_due_ns: u64::MAX,
             reset_cause: None,
             reset_taken: 0,
+            pessimistic: false,
+            dma_free_at: [0; 2],
+            dma_items: 0,
         };
         chip.schedule_board();
         chip
@@ -218,6 +227,18 @@ impl<B: Board> Peripherals for Chip<B> {
         }
     }
 
+    fn take_event(&mut self) -> bool {
+        self.exti.take_event()
+    }
+
+    fn set_pessimistic(&mut self, pessimistic: bool) {
+        self.pessimistic = pessimistic;
+    }
+
+    fn wait_states(&self, address: u32) -> Cycle {
+        bus_wait(&self.clock, address)
+    }
+
     fn take_reset(&mut self) -> bool {
         match self.reset_cause.take() {
             Some(cause) => {
@@ -243,6 +264,7 @@ impl<B: Board> Peripherals for Chip<B> {
         memory.flash_interface.data_cache = false;
         memory.flash_interface.busy_until = memory.flash_interface.busy_until.min(now);
         self.events = Events::new();
+        self.dma_free_at = [0; 2];
         for block in map::resettable() {
             self.reset_block(memory, block, now);
         }
@@ -276,6 +298,21 @@ fn bytes(width: Width) -> usize {
         Width::Byte => 1,
         Width::Half => 2,
         Width::Word => 4,
+    }
+}
+
+/// Cycles that an access waits for its bus at worst, beyond the one that the instruction takes.
+///
+/// On AHB another master may have just begun its access: one cycle. APB hangs behind a bridge that runs on the same clock,
+/// divided (RM0090 section 2.1): the access waits for the next edge of that clock, up to a bus cycle less one, and takes two
+/// bus cycles, set-up and access (AMBA APB, ARM IHI 0024, section 3). Writes count as long, though the core's buffer hides
+/// those that come alone.
+fn bus_wait(clock: &Clock, address: u32) -> Cycle {
+    let apb = |bus| 3 * u64::from(clock.apb_divider(bus)) - 1;
+    match address {
+        0x4000_0000..=0x4000_FFFF => apb(clock::Apb::One),
+        0x4001_0000..=0x4001_FFFF => apb(clock::Apb::Two),
+        _ => 1,
     }
 }
 

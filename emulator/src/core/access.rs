@@ -120,6 +120,9 @@ impl Core {
         if !leaves_core(address) {
             return Err(self.bus_fault(memory, unanswered(address)));
         }
+        if self.timing == Timing::Pessimistic {
+            self.cycle += peripherals.wait_states(address);
+        }
         let access = Access { at: self.cycle, address, width: width::<N>(), pc: self.r[15].wrapping_sub(4) };
         let answer = peripherals.read(memory, access);
         self.after_peripheral(memory, peripherals);
@@ -162,6 +165,9 @@ impl Core {
             _ => return Err(self.bus_fault(memory, unanswered(address))),
         }
         let pc = self.r[15].wrapping_sub(4);
+        if self.timing == Timing::Pessimistic {
+            self.cycle += peripherals.wait_states(target);
+        }
         let access = Access { at: self.cycle, address: target, width: width::<N>(), pc };
         let answer = peripherals.write(memory, access, value);
         self.after_peripheral(memory, peripherals);

@@ -188,6 +188,12 @@ impl Core {
                 self.scs.cpacr = value & 0x00F0_0000;
                 self.fp_ready = false;
             }
+            // DWT_FUNCTION0 to 3 (C1.8.16).
+            0x1028 | 0x1038 | 0x1048 | 0x1058 if value & 0xF != 0 => memory.report(
+                self.cycle,
+                self.r[15].wrapping_sub(4),
+                "DWT_FUNCTION set: the comparators of the watchpoint unit are not emulated".to_owned(),
+            ),
             0xED94 if value & 1 != 0 => memory.report(
                 self.cycle,
                 self.r[15].wrapping_sub(4),
