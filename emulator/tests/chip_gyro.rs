@@ -138,14 +138,9 @@ fn the_configuration_must_be_complete_and_takes_its_time() {
 fn a_configuration_must_be_the_makers_and_lie_where_it_belongs() {
     let mut changed = CONFIGURATION.to_vec();
     changed[4000] ^= 1;
-    let cases: [(&[u8], fn(usize) -> usize); 3] = [
-        (&changed, |chunk| chunk * 128),
-        (CONFIGURATION, |_| 0),
-        (CONFIGURATION, |chunk| (chunk ^ 1) * 128),
-    ];
-    for (bytes, place) in cases {
+    for (bytes, factor, swapped) in [(&changed[..], 128, 0), (CONFIGURATION, 0, 0), (CONFIGURATION, 128, 1)] {
         let mut rig = board(RATE);
-        upload(&mut rig, bytes, place);
+        upload(&mut rig, bytes, |chunk| (chunk ^ swapped) * factor);
         rig.pass(20 * MS);
         assert_eq!(read_register(&mut rig, 0x21) & 15, 2);
         assert!(rig.has_bug("does not lie where it belongs"), "{:?}", rig.bugs());
