@@ -1,6 +1,7 @@
 //! The whole machine: core, memories and peripherals under one clock.
 mod faults;
 mod image;
+mod kind;
 mod semihosting;
 
 use crate::{
