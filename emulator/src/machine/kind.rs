@@ -3,11 +3,13 @@ use object::elf::{ELFCLASS32, ELFDATA2LSB, ELFMAG, EM_ARM, ET_EXEC};
 
 use super::ImageError;
 
-/// Says of an ELF for something else what it is. What is no ELF at all is left to the parser.
+/// Says of an ELF for something else what it is.
 pub(super) fn check(elf: &[u8]) -> Result<(), ImageError> {
-    let (Some(ident), Some(rest)) = (elf.get(..16), elf.get(16..20)) else { return Ok(()) };
+    let (Some(ident), Some(rest)) = (elf.get(..16), elf.get(16..20)) else {
+        return Err(ImageError::Kind("this is no ELF".to_owned()));
+    };
     if !ident.starts_with(&ELFMAG) {
-        return Ok(());
+        return Err(ImageError::Kind("this is no ELF".to_owned()));
     }
     let little = ident[5] == ELFDATA2LSB;
     let half = |at: usize| {
@@ -70,6 +72,6 @@ mod tests {
         assert_eq!(said(2, 1, 2, 62), "this is an ELF for x86-64, not for ARM");
         assert_eq!(said(1, 2, 2, 40), "this is a big-endian ELF; the STM32F405 is little-endian");
         assert!(said(1, 1, 1, 40).contains("an object file"));
-        assert!(check(b"no ELF").is_ok());
+        assert!(check(b"no ELF").is_err());
     }
 }
