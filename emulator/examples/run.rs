@@ -59,8 +59,9 @@ fn arguments(mut given: impl Iterator<Item = String>) -> Result<Option<Arguments
             "--seconds" => {
                 let text = given.next().ok_or("--seconds needs a number")?;
                 let number = text.parse().ok().filter(|n| *n > 0.0 && *n <= MOST_SECONDS);
-                seconds = number
-                    .ok_or(format!("--seconds takes a number above 0 and up to {MOST_SECONDS}, not `{text}`"))?;
+                seconds = number.ok_or(format!(
+                    "--seconds takes a number above 0 and up to {MOST_SECONDS}, not `{text}`"
+                ))?;
             }
             "--pessimistic" => timing = Timing::Pessimistic,
             "--statistics" => statistics = true,

@@ -108,7 +108,9 @@ fn a_lock_up_lasts_until_the_watchdog_bites() {
     assert!((512.0..512.1).contains(&ms(machine.time())), "{} ms", ms(machine.time()));
     assert_eq!((asleep, machine.core.counters.asleep), (0, 0));
     let bug = machine.memory.bugs.last().expect("a bug");
-    for part in ["lock-up", "undefined instruction", "it began with", "0x40005400 (I2C1, which is not emulated)"] {
+    for part in
+        ["lock-up", "undefined instruction", "it began with", "0x40005400 (I2C1, which is not emulated)"]
+    {
         assert!(bug.what.contains(part), "{}", bug.what);
     }
 }

@@ -339,7 +339,11 @@ fn a_flight_goes_well_whatever_the_manual_leaves_open() {
         });
         bench.assert_flies();
         let board = bench.status().board.expect("a board");
-        assert_eq!((board.motor_errors, bench.bugs()), (0, Vec::new()), "sticky {sticky}, standing {standing}");
+        assert_eq!(
+            (board.motor_errors, bench.bugs()),
+            (0, Vec::new()),
+            "sticky {sticky}, standing {standing}"
+        );
     }
 }
 

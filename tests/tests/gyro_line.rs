@@ -107,6 +107,9 @@ fn noise_between_two_edges_is_no_tick() {
         line.period(None);
         let (ticks_then, time_then_us) = line.ticks();
         assert_eq!(ticks_then, ticks + 2, "noise {noise_us} µs after the edge");
-        assert!((time_then_us - time_us).abs_diff(2 * PERIOD_NS / 1000) <= 4, "noise {noise_us} µs after the edge");
+        assert!(
+            (time_then_us - time_us).abs_diff(2 * PERIOD_NS / 1000) <= 4,
+            "noise {noise_us} µs after the edge"
+        );
     }
 }

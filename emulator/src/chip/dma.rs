@@ -123,7 +123,8 @@ impl Stream {
     /// Whether a stream to a peripheral has room for another access to memory, and something is left to read.
     pub(crate) fn reads_ahead(&self) -> bool {
         let (item, access) = (self.peripheral_bytes() as usize, self.memory_bytes() as usize);
-        let room = if self.direct() { self.fifo_used < item } else { self.fifo_used + access <= self.fifo.len() };
+        let room =
+            if self.direct() { self.fifo_used < item } else { self.fifo_used + access <= self.fifo.len() };
         self.enabled() && room && usize::from(self.left) * item > self.fifo_used
     }
 
