@@ -4,13 +4,14 @@ mod image;
 mod kind;
 mod semihosting;
 
+pub use faults::FaultRecord;
+
 use crate::{
     bus::{Access, AccessError, Cycle, NEVER, Peripherals},
     core::{Core, Exit, Fault, Lockup, Sleep, Timing},
     memory::Memory,
 };
 
-pub use faults::FaultRecord;
 pub use image::{ImageError, flash_content, symbol_address, symbols};
 
 /// Why [`Machine::run_until`] returned.
