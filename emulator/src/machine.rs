@@ -4,14 +4,20 @@ mod image;
 mod kind;
 mod semihosting;
 
+pub use faults::FaultRecord;
+
 use crate::{
     bus::{Access, AccessError, Cycle, NEVER, Peripherals},
     core::{Core, Exit, Fault, Lockup, Sleep, Timing},
     memory::Memory,
 };
 
+<<<<<<< HEAD
 pub use faults::FaultRecord;
 pub use image::{ImageError, flash_content, loaded, symbol_address, symbols};
+=======
+pub use image::{ImageError, flash_content, symbol_address, symbols};
+>>>>>>> mend4
 
 /// Why [`Machine::run_until`] returned.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

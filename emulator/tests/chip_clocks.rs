@@ -241,3 +241,21 @@ fn events_pass_by_the_pending_register_and_the_factory_left_its_words() {
     rig.write(0x4000_2808, 1 << 10);
     assert!(rig.has_bug("RTC is set to wake"), "{:?}", rig.bugs());
 }
+
+/// ES0182, "Delay after an RCC peripheral clock enabling".
+#[test]
+fn a_clock_takes_a_moment_to_come() {
+    for (gate, bit, register, cycles) in [(0x30, 1, GPIOB + 0x14, 2), (0x40, 2, TIM4 + 0x2C, 5)] {
+        for late in [false, true] {
+            let mut rig = bare();
+            rig.start_clocks();
+            rig.clear(RCC + gate, 1 << bit);
+            rig.set(RCC + gate, 1 << bit);
+            // The access is four cycles later by itself.
+            rig.at = rig.at + cycles - 5 + u64::from(late);
+            rig.write(register, 1);
+            assert_eq!(rig.has_bug("just switched on"), !late, "{register:#x}");
+            assert_eq!(rig.read(register) == 1, late, "{register:#x}");
+        }
+    }
+}

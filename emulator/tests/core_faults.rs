@@ -98,6 +98,27 @@ fn a_watchdog_bites_at_its_time_in_the_middle_of_an_erase() {
     assert!(machine.memory.flash[..0x100].starts_with(&0x2000_8000_u32.to_le_bytes()));
 }
 
+/// Code in RAM runs on during an erase, until it reads flash: that waits, and nothing else does.
+#[test]
+fn a_read_of_flash_by_code_in_ram_waits_for_an_erase() {
+    let mut machine = machine(chip(), HANG, &[]);
+    // str r1, [r0]; str r2, [r0]; str r3, [r0, #12]; str r4, [r0, #12]; ldr r6, [r5]; bkpt #1
+    let code = [0x6001_u16, 0x6002, 0x60C3, 0x60C4, 0x682E, 0xBE01];
+    machine.memory.place(0x2000_0000, &code.map(u16::to_le_bytes).concat()).expect("RAM");
+    let registers = [0x4002_3C04, 0x4567_0123, 0xCDEF_89AB, 0x2A, 0x1_002A, 0x0800_0000];
+    for (number, value) in (0..).zip(registers) {
+        machine.core.set_register(number, value);
+    }
+    machine.core.set_register(15, 0x2000_0000);
+    assert_eq!(machine.run_until(1_600_000), Stop::ReachedTime);
+    assert!(machine.time() < 1_600_010, "{}", machine.time());
+    assert_eq!(machine.core.register(15), 0x2000_0008);
+    stops_at(&mut machine, 1);
+    assert!((2000.0..2000.1).contains(&ms(machine.time())), "{} ms", ms(machine.time()));
+    assert_eq!(machine.core.register(6), 0x2000_8000);
+    assert_eq!((&machine.memory.bugs[..], machine.last_fault.as_ref()), (&[][..], None));
+}
+
 /// Time goes on in a lock-up, until the watchdog ends it.
 #[test]
 fn a_lock_up_lasts_until_the_watchdog_bites() {
@@ -147,10 +168,11 @@ fn a_return_that_is_refused_leaves_the_stack_as_it_was() {
     assert_eq!(register(5), 0xFFFF_FFF9);
 }
 
-/// Raises its line at a time.
+/// Raises its line at a time, and the non-maskable interrupt with it where asked.
 struct Line {
     at: Cycle,
     up: bool,
+    non_maskable: bool,
 }
 
 impl Peripherals for Line {
@@ -169,6 +191,9 @@ impl Peripherals for Line {
     fn interrupt_lines(&self) -> u128 {
         self.up.into()
     }
+    fn non_maskable(&self) -> bool {
+        self.up && self.non_maskable
+    }
     fn take_reset(&mut self) -> bool {
         false
     }
@@ -176,12 +201,24 @@ impl Peripherals for Line {
     fn request_reset(&mut self) {}
 }
 
+/// B1.5.15.
+#[test]
+fn a_non_maskable_interrupt_ends_a_lock_up() {
+    let line = Line { at: 100_000, up: false, non_maskable: true };
+    let mut machine = machine(line, UDF, &[(2, LOOK), (3, UDF)]);
+    stops_at(&mut machine, 1);
+    assert!((100_000..100_100).contains(&machine.time()), "{}", machine.time());
+    assert_eq!(machine.core.exception_number(), 2);
+    assert_eq!(machine.core.register(5), 0xFFFF_FFF1);
+}
+
 /// It goes first, and returns to the thread, not to a handler that has not begun.
 #[test]
 fn an_interrupt_that_comes_during_the_stacking_goes_first() {
     let mut late = 0;
     for at in 0..120 {
-        let mut machine = machine(Line { at, up: false }, LATE, &[(11, CALLED), (16, LINK)]);
+        let mut machine =
+            machine(Line { at, up: false, non_maskable: false }, LATE, &[(11, CALLED), (16, LINK)]);
         stops_at(&mut machine, 1);
         let [called, link, calling] = [4, 5, 6].map(|n| machine.core.register(n));
         // Interrupted before the handler's first instruction, if at all.

@@ -108,7 +108,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::NO_GYRO, !self.capabilities.gyro && !self.starting)
             .when(B::NO_MOTORS, !self.capabilities.motors && !self.starting)
             .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
-            .when(B::NOT_CALIBRATED, self.capabilities.gyro && !self.gyro.is_calibrated())
+            .when(B::NOT_CALIBRATED, self.capabilities.gyro && !(self.gyro.is_calibrated() && self.attitude.is_known()))
             .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
             .when(B::GYRO_FROZEN, self.gyro.repeats_itself())
             .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
@@ -120,7 +120,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::TERMINATED, terminated)
             .when(B::INCIDENT, crashed || (self.incident.is_some() && !terminated))
             .when(B::LANDED, state == FlightState::Landed)
-            .when(B::TILTED, self.tilt_rad().is_none_or(|tilt| tilt > ARMING_TILT_RAD))
+            .when(B::TILTED, self.tilt_rad().is_some_and(|tilt| tilt > ARMING_TILT_RAD))
             .when(B::NO_VEHICLE, !self.known)
             .when(B::STORING, self.is_storing())
     }

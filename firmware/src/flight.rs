@@ -170,6 +170,8 @@ pub struct FlightLogic<M> {
     pub(crate) recording: bool,
     /// The tick that the second part records.
     to_record: Option<RecordedTick>,
+    /// The sample, or its absence, that the second part estimates the attitude from.
+    to_estimate: Option<Option<ImuSample>>,
     pub(crate) events: EventLog,
     pub(crate) telemetry_us: u64,
     pub(crate) next_telemetry_us: u64,
@@ -237,6 +239,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             recorder: Recorder::new(record),
             recording: false,
             to_record: None,
+            to_estimate: None,
             events: EventLog::new(),
             telemetry_us: TELEMETRY_PERIOD_US,
             next_telemetry_us: 0,
@@ -300,6 +303,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// Nothing to do the second time.
     pub fn conclude(&mut self, inbox: &mut Inbox, outbox: &mut Outbox) {
         let now_us = self.last_us.unwrap_or(0);
+        self.estimate();
         self.answer(inbox, now_us, outbox);
         if let Some(tick) = self.to_record.take() {
             self.recorder.push(now_us, tick);
@@ -314,19 +318,26 @@ impl<M: RecordMemory> FlightLogic<M> {
         let motors_off = !self.state().motors_on();
         self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
         self.accel_mps2 = input.imu.map(|imu| imu.accel_mps2).filter(|a| a.iter().all(|v| v.is_finite()));
+        self.to_estimate = Some(input.imu);
+    }
+
+    /// The attitude and the calibration by turns, from the sample of this tick: nothing that its motors wait for.
+    fn estimate(&mut self) {
+        let Some(imu) = self.to_estimate.take() else {
+            return;
+        };
         let motion = match self.state() {
             FlightState::Tracking => Motion::Flying,
             FlightState::Maneuver | FlightState::Recovery => Motion::Maneuver,
             _ => Motion::MotorsOff,
         };
-        let rates_radps = self.gyro.rates_radps();
         let dt_s = interval_s(self.interval_us);
         // Where the sample is missing the last rates have to do, and gravity says nothing.
         let accel_mps2 = self.accel_mps2.unwrap_or_default();
-        self.attitude.update(rates_radps, accel_mps2, dt_s, motion);
-        if let (Some(imu), Some(turns)) = (input.imu, &mut self.turns)
-            && motors_off
+        self.attitude.update(self.gyro.rates_radps(), accel_mps2, dt_s, motion);
+        if let (Some(imu), Some(turns)) = (imu, &mut self.turns)
             && turns.found.is_none()
+            && !self.supervisor.state().motors_on()
         {
             turns.found = turns.under_way.update(imu.gyro_radps, dt_s);
         }

@@ -5,7 +5,7 @@
 //! is not sealed is refused, but for the question who is there: that is where a host learns the session's number.
 
 use heapless::Deque;
-use mintime_shared::framing::{Decoder, Frame, parse};
+use mintime_shared::framing::{Decoder, Frame, parse, parse_leading};
 use mintime_shared::messages::{
     DownlinkRef, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Uplink,
 };
@@ -74,7 +74,7 @@ impl Link {
                             self.last_counter = counter;
                             parse(content).ok()
                         }
-                        None => parse::<Uplink>(content).ok().filter(|uplink| {
+                        None => parse_leading::<Uplink>(content).ok().filter(|uplink| {
                             let harmless = uplink.request == Request::Identify;
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);

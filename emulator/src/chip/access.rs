@@ -1,6 +1,7 @@
 //! An access to a register, and what follows from it.
 
 use super::adc::SETTLE_NS;
+use super::clock::Apb;
 use super::events::Slot;
 use super::map::{self, Block, ENABLE_REGISTERS};
 use super::{Board, Chip, adc, bytes, dma, exti, flash, gpio, or_never, spi, timer, usart, watchdog};
@@ -143,7 +144,17 @@ impl<B: Board> Chip<B> {
             }
             Block::Gpio(n) => self.write_gpio(memory, n, register, at, value),
             Block::Crc => self.minor.write_crc(register, value),
-            Block::Rcc => self.write_rcc(memory, register, access, value),
+            Block::Rcc => {
+                let before = self.rcc.enable;
+                self.write_rcc(memory, register, access, value);
+                for (fresh, (now, before)) in
+                    self.fresh_gates.iter_mut().zip(self.rcc.enable.iter().zip(before))
+                {
+                    if *now != before {
+                        *fresh = (now & !before, at);
+                    }
+                }
+            }
             Block::Flash => {
                 let done = self.flash.write(memory, at, register, value);
                 self.flash_done(memory, access, done);
@@ -266,10 +277,23 @@ impl<B: Board> Chip<B> {
         };
         let Some(gate) = gate else { return true };
         if self.rcc.enabled(gate) && self.rcc.reset[gate.0] >> gate.1 & 1 == 0 {
-            return true;
+            let (fresh, since) = self.fresh_gates[gate.0];
+            if fresh >> gate.1 & 1 == 0 || access.at >= since + self.gate_cycles(gate.0) {
+                return true;
+            }
         }
         self.refuse(memory, block, gate, access, verb, master);
         false
+    }
+
+    /// From the bit in an enable register to the clock (ES0182, "Delay after an RCC peripheral clock enabling"): two cycles of
+    /// AHB, or one of AHB and one of APB.
+    fn gate_cycles(&self, register: usize) -> Cycle {
+        match register {
+            3 => 1 + u64::from(self.clock.apb_divider(Apb::One)),
+            4 => 1 + u64::from(self.clock.apb_divider(Apb::Two)),
+            _ => 2,
+        }
     }
 
     /// Says why a block cannot be reached.
@@ -284,8 +308,13 @@ impl<B: Board> Chip<B> {
         master: Master,
     ) {
         let who = if let Master::Dma(n) = master { format!(" by DMA{n}") } else { String::new() };
-        let why = if self.rcc.enabled(gate) {
+        let why = if self.rcc.reset[gate.0] >> gate.1 & 1 == 1 {
             "it is held in reset".into()
+        } else if self.rcc.enabled(gate) {
+            let cycles = self.gate_cycles(gate.0);
+            format!(
+                "its clock, just switched on, is not there yet: that takes {cycles} cycles (read the register back)"
+            )
         } else {
             format!("its clock is off ({} bit {})", ENABLE_REGISTERS[gate.0], gate.1)
         };

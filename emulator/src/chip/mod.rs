@@ -93,6 +93,8 @@ pub struct Chip<B> {
     /// A reset waits to be taken, for this reason (bits of RCC_CSR).
     reset_cause: Option<u32>,
     reset_taken: u32,
+    /// Of each enable register the bits set last, and when.
+    fresh_gates: [(u32, Cycle); 5],
     /// DMA takes its time.
     pessimistic: bool,
     /// When each controller is done with the item it carried last.
@@ -130,6 +132,7 @@ impl<B: Board> Chip<B> {
             board_due_ns: u64::MAX,
             reset_cause: None,
             reset_taken: 0,
+            fresh_gates: [(0, 0); 5],
             pessimistic: false,
             dma_free_at: [0; 2],
             dma_items: 0,

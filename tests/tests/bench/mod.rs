@@ -201,6 +201,17 @@ impl Bench {
         }
     }
 
+    /// The vehicle is back, disarmed, and says why.
+    pub(crate) fn assert_is_back(&mut self, cause: &str, crashes: &[&str]) {
+        self.pass_ms(300);
+        let log = self.log();
+        assert_eq!(log.reset_causes(), ["PowerOn", cause]);
+        assert_eq!(log.crashes(), crashes);
+        assert!(!self.status().state.motors_on());
+        let after = self.last_turning_ns().expect("it flew");
+        assert!(self.vehicle.now_ns() > after + 200_000_000);
+    }
+
     /// What the firmware has logged so far.
     pub(crate) fn log(&self) -> log::Log {
         log::Log(self.logged.clone())
