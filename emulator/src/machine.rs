@@ -12,12 +12,7 @@ use crate::{
     memory::Memory,
 };
 
-<<<<<<< HEAD
-pub use faults::FaultRecord;
 pub use image::{ImageError, flash_content, loaded, symbol_address, symbols};
-=======
-pub use image::{ImageError, flash_content, symbol_address, symbols};
->>>>>>> mend4
 
 /// Why [`Machine::run_until`] returned.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,14 +1,13 @@
 //! What is true of the vehicle this tick: for the supervisor, for whoever wants to arm or trigger, for telemetry.
 
-use mintime_shared::messages::{
-    ArmingBlock, FlightState, IncidentCause, KillSwitch, Telemetry,
-};
+use mintime_shared::messages::{ArmingBlock, FlightState, IncidentCause, KillSwitch, Telemetry};
 use mintime_shared::real::at_least;
 use mintime_shared::table::{LinkPolicy, ManeuverTable};
 
 use crate::config::{
-    ARMED_IDLE_US, ARMING_TILT_RAD, BATTERY_SAG_TICKS, GATE_RATE_RADPS, GATE_TILT_RAD, LATE_ABORT_US, LIFT_THRUST_MPS2, LOST_SAMPLES_ABORT,
-    RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS, SETPOINT_FRESH_US,
+    ARMED_IDLE_US, ARMING_TILT_RAD, BATTERY_SAG_TICKS, GATE_RATE_RADPS, GATE_TILT_RAD, LATE_ABORT_US,
+    LIFT_THRUST_MPS2, LOST_SAMPLES_ABORT, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS,
+    SETPOINT_FRESH_US,
 };
 use crate::flight::{Clock, FlightLogic};
 use crate::recorder::RecordMemory;
@@ -31,7 +30,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         let waived = self.kill_is_waived();
         found.set(C::KILL, self.kill == KillSwitch::Stop);
         // Never heard, and not to be done without: as bad as lost.
-        found.set(C::KILL_LOST, self.kill == KillSwitch::Lost || (self.kill == KillSwitch::Absent && !waived));
+        found
+            .set(C::KILL_LOST, self.kill == KillSwitch::Lost || (self.kill == KillSwitch::Absent && !waived));
         found.set(C::CLOCK, self.clock == Clock::Backwards);
         found.set(C::GYRO_MISSING, self.gyro.is_missing());
         found.set(C::GYRO_FROZEN, self.gyro.is_frozen());
@@ -97,6 +97,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// What blocks arming now.
+    #[inline(never)]
     pub(crate) fn arming_block(&self) -> ArmingBlock {
         use ArmingBlock as B;
         let low = self.battery_v.is_some_and(|v| v < self.config.battery_low_v);
@@ -108,7 +109,10 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::NO_GYRO, !self.capabilities.gyro && !self.starting)
             .when(B::NO_MOTORS, !self.capabilities.motors && !self.starting)
             .when(B::GYRO_SILENT, self.capabilities.gyro && self.gyro.is_missing())
-            .when(B::NOT_CALIBRATED, self.capabilities.gyro && !(self.gyro.is_calibrated() && self.attitude.is_known()))
+            .when(
+                B::NOT_CALIBRATED,
+                self.capabilities.gyro && !(self.gyro.is_calibrated() && self.attitude.is_known()),
+            )
             .when(B::MOVING, self.gyro.is_calibrated() && self.gyro.is_moving())
             .when(B::GYRO_FROZEN, self.gyro.repeats_itself())
             .when(B::BATTERY_UNKNOWN, self.battery_v.is_none())
@@ -138,6 +142,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// How the vehicle is.
+    #[inline(never)]
     pub(crate) fn telemetry(&self) -> Telemetry {
         Telemetry {
             time_us: self.last_us.unwrap_or(0),

@@ -17,6 +17,7 @@ impl EventLog {
     }
 
     /// Adds an event; the oldest makes room.
+    #[inline(never)]
     pub(crate) fn push(&mut self, now_us: u64, what: Happening) {
         if self.ring.is_full() {
             self.ring.pop_front();
@@ -32,6 +33,7 @@ impl EventLog {
     }
 
     /// Events from this number on, as far as they are remembered.
+    #[inline(never)]
     pub(crate) fn chunk(&self, first: u32) -> EventChunk {
         // The ring is far shorter than 2³².
         let oldest = (self.newest + 1).saturating_sub(self.ring.len() as u32);

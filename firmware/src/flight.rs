@@ -13,8 +13,8 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause, KillSwitch, Message, Purpose,
-    RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
+    AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause,
+    KillSwitch, Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
 use mintime_shared::real::at_most;
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
@@ -22,10 +22,11 @@ use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
 
 use crate::attitude::{AttitudeEstimate, Motion};
-use crate::config::{
-    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus, VehicleConfig,
-};
 use crate::calibration::ScaleCalibration;
+use crate::config::{
+    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus,
+    VehicleConfig,
+};
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
 use crate::keeping::{Keeper, Slots};
@@ -322,6 +323,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// The attitude and the calibration by turns, from the sample of this tick: nothing that its motors wait for.
+    #[inline(never)]
     fn estimate(&mut self) {
         let Some(imu) = self.to_estimate.take() else {
             return;
@@ -364,6 +366,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// What a change of state brings with it.
+    #[inline(never)]
     fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
         self.state_since_us = now_us;
         let new = self.state();
@@ -435,7 +438,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             _ => return None,
         };
-        let thrust_mps2 = self.thrust_cap_mps2().map_or(setpoint.thrust_mps2, |cap| at_most(setpoint.thrust_mps2, cap));
+        let thrust_mps2 =
+            self.thrust_cap_mps2().map_or(setpoint.thrust_mps2, |cap| at_most(setpoint.thrust_mps2, cap));
         Some(Setpoint { thrust_mps2, ..setpoint })
     }
 
@@ -480,6 +484,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// One motor turns for its time, the others stand.
+    #[inline(never)]
     fn tested(&mut self, now_us: u64) -> [f32; MOTOR_COUNT] {
         let mut throttle = [0.0; MOTOR_COUNT];
         self.motor_test = self.motor_test.filter(|test| now_us < test.until_us);
@@ -492,6 +497,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// What the record says of this tick; the recorder fills the interval in.
+    #[inline(never)]
     fn recorded(&self, output: &TickOutput) -> Option<RecordedTick> {
         let maneuver = self.state() == FlightState::Maneuver;
         let flag = |on: bool, bit: u16| if on { bit } else { 0 };

@@ -6,9 +6,7 @@
 
 use heapless::Deque;
 use mintime_shared::framing::{Decoder, Frame, parse, parse_leading};
-use mintime_shared::messages::{
-    DownlinkRef, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Uplink,
-};
+use mintime_shared::messages::{DownlinkRef, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Uplink};
 use mintime_shared::seal::{self, PairingKey};
 
 use crate::flight::{Inbox, Outbox};
@@ -62,6 +60,7 @@ impl Link {
 
     /// Takes received bytes, in any pieces. An emergency stop finds room whatever is waiting. With a key only what is sealed
     /// with it passes.
+    #[inline(never)]
     pub fn receive(&mut self, bytes: &[u8], key: Option<&PairingKey>, inbox: &mut Inbox) {
         for &byte in bytes {
             let uplink = match self.decoder.push_content(byte) {
@@ -90,6 +89,7 @@ impl Link {
     }
 
     /// Fills `out` with what is to be sent and returns how many bytes that is.
+    #[inline(never)]
     pub fn transmit(&mut self, outbox: &mut Outbox, out: &mut [u8]) -> usize {
         let mut written = 0;
         while let Some(room) = out.get_mut(written..).filter(|room| !room.is_empty()) {

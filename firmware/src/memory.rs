@@ -15,6 +15,7 @@ use crate::recorder::RecordMemory;
 
 impl<M: RecordMemory> FlightLogic<M> {
     /// Hands back what was kept under a key. Returns whether it could be used.
+    #[inline(never)]
     pub fn restore(&mut self, key: Key, value: &[u8]) -> bool {
         match keeping::read(key, value) {
             Some(Kept::Vehicle(config)) => {
@@ -44,6 +45,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Something happened that a person must know of. The gravest of what waits stays in sight.
+    #[inline(never)]
     pub fn report(&mut self, cause: IncidentCause) {
         self.incidents = self.incidents.wrapping_add(1).max(1);
         self.incident = Some(Incident { number: self.incidents, cause });
@@ -87,6 +89,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Begins to keep a value, or says how far that is.
+    #[inline(never)]
     pub(crate) fn keep(&mut self, key: Key, value: Option<Value>, now_us: u64) -> Result<Reply, Refusal> {
         if self.keeper.take_failure(key) {
             return Err(Refusal::StoreFailed);
@@ -104,6 +107,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         Ok(Reply::Done)
     }
 
+    #[inline(never)]
     fn take_into_force(&mut self, key: Key, value: &Value, now_us: u64) {
         self.events.push(now_us, Happening::Stored);
         if !value.is_empty() {
@@ -150,11 +154,8 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Begins guided turns, says how far they are, keeps what they found.
-    pub(crate) fn calibrate_scale(
-        &mut self,
-        asked: (u16, u8, i8),
-        now_us: u64,
-    ) -> Result<Reply, Refusal> {
+    #[inline(never)]
+    pub(crate) fn calibrate_scale(&mut self, asked: (u16, u8, i8), now_us: u64) -> Result<Reply, Refusal> {
         let (_, axis, turns) = asked;
         if turns == 0 {
             self.turns = None;

@@ -10,7 +10,8 @@ use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::real::{at_least, at_most};
 
 use crate::config::{
-    RECOVERY_FORCE, RECOVERY_GAIN_PER_S, RECOVERY_LOW_THRUST_MPS2, RECOVERY_RANGE, RECOVERY_STANDS, RECOVERY_UPRIGHT_COS,
+    RECOVERY_FORCE, RECOVERY_GAIN_PER_S, RECOVERY_LOW_THRUST_MPS2, RECOVERY_RANGE, RECOVERY_STANDS,
+    RECOVERY_UPRIGHT_COS,
 };
 
 /// A recovery under way.
@@ -38,7 +39,14 @@ impl Recovery {
 
     /// What to fly until the next tick. `up` is the cosine of the tilt, `level_radps` the rates that right the vehicle,
     /// `force_mps2` the specific force along its up axis where it is known.
-    pub(crate) fn command(&mut self, up: f32, level_radps: [f32; 3], force_mps2: Option<f32>, dt_s: f32) -> Setpoint {
+    #[inline(never)]
+    pub(crate) fn command(
+        &mut self,
+        up: f32,
+        level_radps: [f32; 3],
+        force_mps2: Option<f32>,
+        dt_s: f32,
+    ) -> Setpoint {
         if up < RECOVERY_UPRIGHT_COS {
             // Thrust would push it aside, or down.
             let thrust_mps2 = at_most(RECOVERY_LOW_THRUST_MPS2, self.bound_mps2);
@@ -47,7 +55,8 @@ impl Recovery {
         if let Some(force) = force_mps2.filter(|f| f.is_finite()) {
             self.thrust_mps2 -= RECOVERY_GAIN_PER_S * dt_s * (force - Self::TARGET_MPS2);
             let (low, high) = RECOVERY_RANGE;
-            self.thrust_mps2 = at_most(at_least(self.thrust_mps2, low * Self::TARGET_MPS2), high * Self::TARGET_MPS2);
+            self.thrust_mps2 =
+                at_most(at_least(self.thrust_mps2, low * Self::TARGET_MPS2), high * Self::TARGET_MPS2);
         }
         // Where it leans, its weight needs more.
         let thrust_mps2 = at_most(self.thrust_mps2 / at_least(up, RECOVERY_UPRIGHT_COS), self.bound_mps2);

@@ -84,6 +84,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Into the event log, but each only once: a host that asks again and again must not flush it.
+    #[inline(never)]
     fn note_refusal(&mut self, number: u16, refusal: Refusal, now_us: u64) {
         if self.last_refusal != Some((number, refusal)) {
             self.last_refusal = Some((number, refusal));
@@ -142,6 +143,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Acknowledging what has been acknowledged is harmless.
+    #[inline(never)]
     fn take_acknowledgement(&mut self, number: u16, conditions: &mut Conditions) -> Verdict {
         match self.incident {
             _ if self.state().motors_on() => Verdict::Now(Err(Refusal::MotorsOn)),
@@ -158,6 +160,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// What the motors do not hang on, in the state that the tick has led to.
+    #[inline(never)]
     fn serve(&mut self, number: u16, request: &Request, now_us: u64) -> Result<Reply, Refusal> {
         let motors_off = || if self.state().motors_on() { Err(Refusal::MotorsOn) } else { Ok(()) };
         match *request {
@@ -188,9 +191,12 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::StoreTable { ref name, checksum } => {
                 motors_off()?;
                 let Some(place) = self.place_for(name) else { return Err(Refusal::StoreFull) };
-                if self.slots.get(place).and_then(Option::as_ref).is_some_and(|slot| {
-                    slot.listing.name == *name && slot.listing.checksum == checksum
-                }) {
+                if self
+                    .slots
+                    .get(place)
+                    .and_then(Option::as_ref)
+                    .is_some_and(|slot| slot.listing.name == *name && slot.listing.checksum == checksum)
+                {
                     return Ok(Reply::Done);
                 }
                 if name.is_empty() || self.tables.committed_checksum() != checksum || checksum == 0 {
@@ -210,7 +216,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             Request::DeleteTable { ref name } => {
                 motors_off()?;
-                let named = |slot: &Option<keeping::Slot>| slot.as_ref().is_some_and(|s| s.listing.name == *name);
+                let named =
+                    |slot: &Option<keeping::Slot>| slot.as_ref().is_some_and(|s| s.listing.name == *name);
                 match self.slots.iter().position(named) {
                     None => Ok(Reply::Done),
                     Some(place) => self.keep(Key::Table(place as u8), Some(keeping::Value::new()), now_us),
@@ -277,6 +284,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
+    #[inline(never)]
     fn committed(&mut self, commit: Commit, checksum: u32, now_us: u64) -> Reply {
         let duration_s = match commit {
             Commit::Already(duration_s) => duration_s,
@@ -290,6 +298,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         Reply::Committed { checksum, duration_s }
     }
 
+    #[inline(never)]
     fn take_setpoint(&mut self, sequence: u16, setpoint: Setpoint, now_us: u64) -> Verdict {
         if !setpoint.is_finite() {
             return Verdict::Now(Err(Refusal::NotFinite));
@@ -316,6 +325,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         Verdict::Silent
     }
 
+    #[inline(never)]
     fn test_motor(&mut self, motor: u8, throttle: f32, duration_ms: u16, now_us: u64) -> Result<(), Refusal> {
         if self.state() != FlightState::Armed {
             return Err(Refusal::WrongState(self.state()));
@@ -340,6 +350,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .is_some_and(|(n, at)| n == number && now_us.saturating_sub(at) <= REPEATED_TRIGGER_US)
     }
 
+    #[inline(never)]
     fn may_arm(&self, purpose: Purpose) -> Result<(), Refusal> {
         match self.state() {
             FlightState::Armed if self.purpose == purpose => Ok(()),
@@ -348,12 +359,15 @@ impl<M: RecordMemory> FlightLogic<M> {
             state => match self.arming_block() {
                 block if block != ArmingBlock::none() => Err(Refusal::ArmingBlocked(block.0)),
                 // It takes a tick from calibrated to disarmed.
-                _ if state != FlightState::Disarmed => Err(Refusal::ArmingBlocked(ArmingBlock::NOT_CALIBRATED.0)),
+                _ if state != FlightState::Disarmed => {
+                    Err(Refusal::ArmingBlocked(ArmingBlock::NOT_CALIBRATED.0))
+                }
                 _ => Ok(()),
             },
         }
     }
 
+    #[inline(never)]
     fn may_trigger(&self, checksum: u32, now_us: u64) -> Result<(), Refusal> {
         match self.state() {
             FlightState::Tracking => {}
@@ -375,6 +389,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         if self.is_in_start_gate(&committed.table) { Ok(()) } else { Err(Refusal::OutsideGate) }
     }
 
+    #[inline(never)]
     fn identity(&self) -> Identity {
         let limits = self.config.plan_limits();
         Identity {

@@ -131,9 +131,7 @@ pub struct Transition {
 pub const TRANSITIONS: [Transition; 36] = {
     use AbortReason as R;
     use Conditions as C;
-    use FlightState::{
-        Armed, Calibrating, Disarmed, Landed, Maneuver, Recovery, Terminated, Tracking,
-    };
+    use FlightState::{Armed, Calibrating, Disarmed, Landed, Maneuver, Recovery, Terminated, Tracking};
     use States as S;
     const fn row(
         from: States,
@@ -189,9 +187,53 @@ pub const TRANSITIONS: [Transition; 36] = {
         row(S::BOOT, NONE, C::STARTING, Calibrating, None),
         row(S::CALIBRATING, C::CALIBRATED, NONE, Disarmed, None),
         // The way out of the end.
-        row(S::TERMINATED, C::ACKNOWLEDGE.union(C::CALIBRATED), C::KILL.union(C::EMERGENCY_STOP), Disarmed, None),
+        row(
+            S::TERMINATED,
+            C::ACKNOWLEDGE.union(C::CALIBRATED),
+            C::KILL.union(C::EMERGENCY_STOP),
+            Disarmed,
+            None,
+        ),
         row(S::TERMINATED, C::ACKNOWLEDGE, C::KILL.union(C::EMERGENCY_STOP), Calibrating, None),
     ]
+};
+
+/// What a state looks out for: no row applies in a tick without one of `present` and with all of `absent`. Most ticks are
+/// like that, and the table lies in flash, which is slow.
+#[derive(Clone, Copy)]
+struct Lookout {
+    present: Conditions,
+    absent: Conditions,
+}
+
+const LOOKOUTS: [Lookout; FlightState::ALL.len()] = {
+    // What is so for long stretches of an ordinary flight says nothing.
+    const LASTING: Conditions =
+        Conditions::FRESH.union(Conditions::LIFTS).union(Conditions::CALIBRATED).union(Conditions::ABANDON);
+    let mut lookouts =
+        [Lookout { present: Conditions::empty(), absent: Conditions::empty() }; FlightState::ALL.len()];
+    let mut state = 0;
+    while state < lookouts.len() {
+        let here = States::from_bits_retain(1 << state);
+        let mut row = 0;
+        while row < TRANSITIONS.len() {
+            let Transition { from, when, unless, .. } = TRANSITIONS[row];
+            if from.contains(here) {
+                let sudden = when.difference(LASTING);
+                // The row applies only if one of these is so.
+                if !sudden.is_empty() {
+                    lookouts[state].present = lookouts[state].present.union(sudden);
+                } else if !unless.is_empty() {
+                    lookouts[state].absent = lookouts[state].absent.union(unless);
+                } else {
+                    lookouts[state].present = lookouts[state].present.union(when);
+                }
+            }
+            row += 1;
+        }
+        state += 1;
+    }
+    lookouts
 };
 
 /// The state and why the last flight was cut short.
@@ -224,6 +266,11 @@ impl Supervisor {
 
     /// Takes the first transition that applies. `Some` with the old state and the reason where there was one.
     pub fn step(&mut self, conditions: Conditions) -> Option<(FlightState, Option<AbortReason>)> {
+        // States are numbered as on the wire, and so are their bits.
+        let Lookout { present, absent } = *LOOKOUTS.get(self.state as usize)?;
+        if !conditions.intersects(present) && conditions.contains(absent) {
+            return None;
+        }
         let here = States::from(self.state);
         let row = TRANSITIONS.iter().find(|row| {
             row.from.contains(here) && conditions.contains(row.when) && !conditions.intersects(row.unless)

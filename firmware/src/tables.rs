@@ -44,6 +44,7 @@ impl Tables {
     }
 
     /// Takes a chunk and returns how many bytes are held from the beginning on.
+    #[inline(never)]
     pub(crate) fn stage(&mut self, total: u16, offset: u16, bytes: &[u8]) -> Result<u16, Refusal> {
         if bytes.is_empty() || usize::from(total) > MAX_TABLE_BYTES {
             return Err(Refusal::Table(TableError::Length));
@@ -92,7 +93,12 @@ impl Tables {
     }
 
     /// Checks a stored table and commits it.
-    pub(crate) fn load(&mut self, bytes: &[u8], checksum: u32, config: &VehicleConfig) -> Result<Commit, Refusal> {
+    pub(crate) fn load(
+        &mut self,
+        bytes: &[u8],
+        checksum: u32,
+        config: &VehicleConfig,
+    ) -> Result<Commit, Refusal> {
         if let Some(same) = self.committed.as_ref().filter(|c| c.checksum == checksum) {
             return Ok(Commit::Already(same.table.duration_s()));
         }
@@ -112,6 +118,7 @@ impl Tables {
     }
 
     /// The committed bytes; empty where there are none.
+    #[inline(never)]
     pub(crate) fn read(&self) -> TableBytes {
         let mut bytes = TableBytes::new();
         if let Some(c) = &self.committed {

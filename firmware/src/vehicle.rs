@@ -74,6 +74,7 @@ impl<M: RecordMemory> Vehicle<M> {
 
     /// Says what the board can do by now and how it does; takes effect with the next tick. Where nobody says, what
     /// [`Vehicle::new`] was given stays true.
+    #[inline(never)]
     pub fn set_board_status(&mut self, status: &BoardStatus) {
         self.logic.set_board_status(status);
     }

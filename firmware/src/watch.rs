@@ -100,6 +100,7 @@ impl Watch {
     }
 
     /// Notes what a tick got and gave.
+    #[inline(never)]
     pub fn note(&mut self, input: &TickInput, output: &TickOutput, state: FlightState, status: &BoardStatus) {
         let mut bits = 0;
         let mut set = |on: bool, bit: u32| bits |= if on { bit } else { 0 };

@@ -74,11 +74,11 @@ impl Settings {
         ensure(finite, E::NotFinite)?;
         ensure(self.gyro_scale.iter().all(|s| (0.95..=1.05).contains(s)), E::GyroScale)?;
         ensure((40.0..=350.0).contains(&self.gyro_cutoff_hz), E::GyroCutoff)?;
-        let range = 900 <= self.kill_stop_us && self.kill_stop_us < self.kill_run_us && self.kill_run_us <= 2100;
+        let range =
+            900 <= self.kill_stop_us && self.kill_stop_us < self.kill_run_us && self.kill_run_us <= 2100;
         ensure((1..=16).contains(&self.kill_channel) && range, E::KillSwitch)?;
         ensure((0.0..=Self::BENCH_THRUST_MAX_MPS2).contains(&self.bench_thrust_mps2), E::BenchThrust)?;
-        let timeouts =
-            (150..=2000).contains(&self.heartbeat_ms) && (500..=5000).contains(&self.recovery_ms);
+        let timeouts = (150..=2000).contains(&self.heartbeat_ms) && (500..=5000).contains(&self.recovery_ms);
         ensure(timeouts, E::Timeouts)
     }
 }

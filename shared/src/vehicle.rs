@@ -66,7 +66,9 @@ pub enum VehicleError {
     #[error("the mass is not between 0.02 and 20 kg")]
     Mass,
     /// Inertia not positive, or one axis above the sum of the others, which no body has.
-    #[error("the moments of inertia are not those of a body: each above zero, none above the sum of the other two")]
+    #[error(
+        "the moments of inertia are not those of a body: each above zero, none above the sum of the other two"
+    )]
     Inertia,
     /// Arms or torque ratio out of range.
     #[error("arms must be 0.01 to 1 m long, reaction torque over thrust 0.001 to 0.2 m")]
@@ -81,7 +83,9 @@ pub enum VehicleError {
     #[error("voltages must be 2 < critical < low < 1.2 · nominal < 62, sag 0 to 1 V/N")]
     Battery,
     /// Plan limits beyond the rotors or the gyro.
-    #[error("plan limits: thrust above gravity and within the rotors with torque in reserve, rate 0.5 to 30 rad/s")]
+    #[error(
+        "plan limits: thrust above gravity and within the rotors with torque in reserve, rate 0.5 to 30 rad/s"
+    )]
     PlanLimits,
     /// Two rotors on one output, or an output that is none.
     #[error("the outputs must be 0, 1, 2, 3 in some order")]

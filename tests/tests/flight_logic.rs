@@ -534,7 +534,10 @@ fn an_impossible_battery_voltage_counts_as_unknown() {
     let mut bench = Bench::ready();
     for volts in [9e9, 3.0, f32::INFINITY] {
         bench.battery_v = Some(volts);
-        assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::BATTERY_UNKNOWN.0));
+        assert_eq!(
+            bench.refusal(Request::Arm(Purpose::Flight)),
+            Refusal::ArmingBlocked(ArmingBlock::BATTERY_UNKNOWN.0)
+        );
     }
 }
 

@@ -227,6 +227,7 @@ impl Control {
     }
 
     /// Speed controllers arm on zero throttle, and only once they have power.
+    #[inline(never)]
     fn count_arming_frames(&mut self, motors_on: bool, battery_v: Option<f32>) {
         if motors_on != self.motors_on {
             self.motors_on = motors_on;
@@ -244,6 +245,7 @@ impl Control {
     }
 
     /// Takes in what the radio receiver sent.
+    #[inline(never)]
     fn listen(&mut self, now_us: u64) {
         if !self.motors_on {
             let (channel, run_above_us, kill_below_us) = self.vehicle.kill_switch();
@@ -253,6 +255,7 @@ impl Control {
     }
 
     /// Hands over what the flight logic wants kept, and takes the answer. Only ever with the motors off: flash stalls.
+    #[inline(never)]
     fn keep(&mut self) {
         if let Some(done) = storage::take_done() {
             self.store.finished = done.number;
@@ -282,6 +285,7 @@ impl Control {
     }
 
     /// Takes the gyro over when its set-up has ended, well or not.
+    #[inline(never)]
     fn take_gyro(&mut self) {
         if !self.gyro_pending {
             return;
@@ -295,6 +299,7 @@ impl Control {
     }
 
     /// Hands the flight logic what the board says of itself.
+    #[inline(never)]
     fn publish(&mut self) -> BoardStatus {
         let measured = &mut self.measured;
         measured.missed_ticks = self.pacer.missed();
@@ -316,6 +321,7 @@ impl Control {
         status
     }
 
+    #[inline(never)]
     fn move_bytes(&mut self) {
         let room = OUTBOX.free_capacity().min(self.bytes.len());
         let sent = self.vehicle.transmit(self.bytes.get_mut(..room).unwrap_or_default());

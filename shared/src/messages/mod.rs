@@ -44,9 +44,7 @@ mod state;
 mod telemetry;
 
 pub use event::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening};
-pub use record::{
-    MAX_CHUNK_BYTES, RECORD_BYTES, RECORDS_PER_CHUNK, RecordChunk, RecordedTick, record_flags,
-};
+pub use record::{MAX_CHUNK_BYTES, RECORD_BYTES, RECORDS_PER_CHUNK, RecordChunk, RecordedTick, record_flags};
 pub use refusal::{CalibrationError, Refusal};
 pub use state::{AbortReason, ArmingBlock, FlightState, KillSwitch};
 pub use telemetry::{BoardTelemetry, GyroFault, Incident, IncidentCause, TELEMETRY_PERIOD_US, Telemetry};

@@ -46,13 +46,17 @@ pub enum Refusal {
     #[error("there is no record at that index")]
     NoRecord,
     /// A number beyond what any vehicle does.
-    #[error("a number is out of range: body rates to 35 rad/s, thrust 0 to 100 m/s², motor tests to 15 % and 2 s")]
+    #[error(
+        "a number is out of range: body rates to 35 rad/s, thrust 0 to 100 m/s², motor tests to 15 % and 2 s"
+    )]
     OutOfRange,
     /// The battery cannot give the table's thrust at its present voltage.
     #[error("trigger refused: at its present voltage the battery cannot give the planned thrust, charge it")]
     BatteryThrust,
     /// The vehicle does not stand or hover as the table's start wants it.
-    #[error("trigger refused outside the start gate: the vehicle's tilt or rates are not those of the table's start")]
+    #[error(
+        "trigger refused outside the start gate: the vehicle's tilt or rates are not those of the table's start"
+    )]
     OutsideGate,
     /// A chunk that does not join the ones before.
     #[error("a chunk is missing before this one: go on at byte {expected}")]
@@ -99,7 +103,9 @@ pub enum Refusal {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 pub enum CalibrationError {
     /// No such axis, no turns or too many.
-    #[error("give axis 0, 1 or 2 (forward, left, up) and 1 to 4 whole turns, or -1 to -4 for the other direction")]
+    #[error(
+        "give axis 0, 1 or 2 (forward, left, up) and 1 to 4 whole turns, or -1 to -4 for the other direction"
+    )]
     Turns,
     /// It never stood still.
     #[error("the vehicle did not stand still: put it down against an edge, let go, and begin again")]
@@ -108,7 +114,9 @@ pub enum CalibrationError {
     #[error("the vehicle was not turned: begin again and turn it within 20 s")]
     NotTurned,
     /// Turned the other way round.
-    #[error("turned in the wrong direction: begin again and turn it the other way, or give the turns with a minus sign")]
+    #[error(
+        "turned in the wrong direction: begin again and turn it the other way, or give the turns with a minus sign"
+    )]
     WrongDirection,
     /// Turned faster than the gyro measures.
     #[error("turned too fast for the gyro: begin again and take a second or more for each turn")]
@@ -120,7 +128,9 @@ pub enum CalibrationError {
     #[error("turned further than asked for: begin again and count the turns")]
     TooFar,
     /// Another axis has turned too.
-    #[error("the vehicle did not end as it began: turn it about one axis only and put it back against the same edge")]
+    #[error(
+        "the vehicle did not end as it began: turn it about one axis only and put it back against the same edge"
+    )]
     Wobble,
     /// The bias changed meanwhile.
     #[error("the gyro's bias has drifted: let the board warm up for some minutes and begin again")]

@@ -205,7 +205,10 @@ impl ArmingBlock {
         (Self::BATTERY_LOW, "the battery is low: charge it"),
         (Self::KILL_SWITCH, "the kill switch says stop: release it"),
         (Self::LATE_TICKS, "control ticks are late"),
-        (Self::TERMINATED, "stopped after an emergency: find out why, then `mintime vehicle PORT acknowledge`"),
+        (
+            Self::TERMINATED,
+            "stopped after an emergency: find out why, then `mintime vehicle PORT acknowledge`",
+        ),
         (Self::GYRO_FROZEN, "the gyro repeats one sample: check its wiring"),
         (Self::STARTING, "gyro and speed controllers are still starting: wait some seconds"),
         (
@@ -219,7 +222,10 @@ impl ArmingBlock {
         ),
         (Self::KILL_LOST, "the kill switch's radio is silent: switch the transmitter on"),
         (Self::TILTED, "the vehicle does not stand upright: put it on level ground"),
-        (Self::NO_VEHICLE, "the vehicle does not know its mass and motors: `mintime vehicle PORT params --file`"),
+        (
+            Self::NO_VEHICLE,
+            "the vehicle does not know its mass and motors: `mintime vehicle PORT params --file`",
+        ),
         (Self::STORING, "flash is being written: wait a second"),
         (Self::LANDED, "down after a recovery: disarm first"),
     ];

@@ -103,7 +103,9 @@ pub enum IncidentCause {
     #[error("the watchdog reset the flight controller: a part of the firmware stood still")]
     Watchdog,
     /// What is stored in flash could not be read.
-    #[error("the store in flash was damaged and has been formatted: upload vehicle, settings and tables again")]
+    #[error(
+        "the store in flash was damaged and has been formatted: upload vehicle, settings and tables again"
+    )]
     StoreDamaged,
 }
 
@@ -153,4 +155,3 @@ pub enum GyroFault {
     #[error("the gyro reports an error: {0:#04x}")]
     Chip(u8),
 }
-
