@@ -263,3 +263,15 @@ fn a_request_cleared_at_the_last_moment_is_told() {
         assert!(machine.memory.bugs.iter().all(|bug| bug.what.contains("interrupt 28 returns right after")));
     }
 }
+
+/// ldr r0, =0xE0001028; movs r1, #5; str r1, [r0]; bkpt #1
+#[test]
+fn a_watchpoint_that_is_set_is_told() {
+    let mut machine = machine(chip(), &[0x4801, 0x2105, 0x6001, 0xBE01, 0x1028, 0xE000], &[]);
+    stops_at(&mut machine, 1);
+    assert!(
+        machine.memory.bugs.iter().any(|bug| bug.what.contains("DWT_FUNCTION")),
+        "{:?}",
+        machine.memory.bugs
+    );
+}
