@@ -50,6 +50,19 @@ const ALIASES: &[u16] = &[
     0x0800,
 ];
 
+// ldr r0, =0xE000E100; movs r1, #0x10; lsls r1, r1, #24; str r1, [r0]; ldr r0, =0x40023808; movs r1, #0x1C
+// lsls r1, r1, #8; str r1, [r0]; movs r1, #1; str r1, [r0, #0x38]; ldr r2, [r0]; movs r0, #4; lsls r0, r0, #28
+// movs r1, #10; str r1, [r0, #0x2C]; movs r1, #1; str r1, [r0, #12]; str r1, [r0]; wfi; bkpt #1
+/// TIM2 on a slow bus, and its interrupt awaited.
+const AWAIT: &[u16] = &[
+    0x4809, 0x2110, 0x0609, 0x6001, 0x4808, 0x211C, 0x0209, 0x6001, 0x2101, 0x6381, 0x6802, 0x2004, 0x0700,
+    0x210A, 0x62C1, 0x2101, 0x60C1, 0x6001, 0xBF30, 0xBE01, 0xE100, 0xE000, 0x3808, 0x4002,
+];
+// movs r1, #0; str r1, [r0]; str r1, [r0, #16]; bx lr
+const CLEAR: &[u16] = &[0x2100, 0x6001, 0x6101, 0x4770];
+// movs r1, #0; str r1, [r0]; str r1, [r0, #16]; dsb; bx lr
+const CLEAR_AND_WAIT: &[u16] = &[0x2100, 0x6001, 0x6101, 0xF3BF, 0x8F4F, 0x4770];
+
 /// An image that starts with `code`; `handlers` by exception number.
 fn image(code: &[u16], handlers: &[(usize, &[u16])]) -> Vec<u8> {
     let mut image = vec![0_u8; 0x100];
@@ -238,4 +251,27 @@ fn calls_between_the_two_aliases_of_flash_are_quick() {
     assert!(machine.core.counters.instructions > 5 * 20_000);
     // Some milliseconds; decoding a mebibyte anew each time takes a minute.
     assert!(begun.elapsed().as_secs_f64() < 10.0, "{:?}", begun.elapsed());
+}
+
+/// The write that clears the request waits in the core's buffer while the handler returns.
+#[test]
+fn a_request_cleared_at_the_last_moment_is_told() {
+    for (handler, told) in [(CLEAR, 1), (CLEAR_AND_WAIT, 0)] {
+        let mut machine = machine(chip(), AWAIT, &[(16 + 28, handler)]);
+        stops_at(&mut machine, 1);
+        assert_eq!(machine.memory.bugs.len(), told, "{:?}", machine.memory.bugs);
+        assert!(machine.memory.bugs.iter().all(|bug| bug.what.contains("interrupt 28 returns right after")));
+    }
+}
+
+/// ldr r0, =0xE0001028; movs r1, #5; str r1, [r0]; bkpt #1
+#[test]
+fn a_watchpoint_that_is_set_is_told() {
+    let mut machine = machine(chip(), &[0x4801, 0x2105, 0x6001, 0xBE01, 0x1028, 0xE000], &[]);
+    stops_at(&mut machine, 1);
+    assert!(
+        machine.memory.bugs.iter().any(|bug| bug.what.contains("DWT_FUNCTION")),
+        "{:?}",
+        machine.memory.bugs
+    );
 }

@@ -1,9 +1,8 @@
 //! An access to a register, and what follows from it.
 
 use super::adc::SETTLE_NS;
-use super::clock::Apb;
 use super::events::Slot;
-use super::map::{self, Block, ENABLE_REGISTERS};
+use super::map::{self, Block};
 use super::{Board, Chip, adc, bytes, dma, exti, flash, gpio, or_never, spi, timer, usart, watchdog};
 use crate::bus::{Access, Cycle, Master, NEVER, Width};
 use crate::memory::Memory;
@@ -257,68 +256,6 @@ impl<B: Board> Chip<B> {
             }
             _ => {}
         }
-    }
-
-    /// Whether the clock of a block is on and its reset released; says so if not.
-    #[inline]
-    fn reachable(
-        &self,
-        memory: &mut Memory,
-        block: Block,
-        offset: u32,
-        access: Access,
-        verb: &str,
-        master: Master,
-    ) -> bool {
-        let gate = match block {
-            Block::Adc if offset < 0x300 => Some((4, 8 + (offset >> 8) as u8)),
-            Block::Adc if self.rcc.enable[4] & 0x700 == 0 => Some((4, 8)),
-            _ => block.gate(),
-        };
-        let Some(gate) = gate else { return true };
-        if self.rcc.enabled(gate) && self.rcc.reset[gate.0] >> gate.1 & 1 == 0 {
-            let (fresh, since) = self.fresh_gates[gate.0];
-            if fresh >> gate.1 & 1 == 0 || access.at >= since + self.gate_cycles(gate.0) {
-                return true;
-            }
-        }
-        self.refuse(memory, block, gate, access, verb, master);
-        false
-    }
-
-    /// From the bit in an enable register to the clock (ES0182, "Delay after an RCC peripheral clock enabling"): two cycles of
-    /// AHB, or one of AHB and one of APB.
-    fn gate_cycles(&self, register: usize) -> Cycle {
-        match register {
-            3 => 1 + u64::from(self.clock.apb_divider(Apb::One)),
-            4 => 1 + u64::from(self.clock.apb_divider(Apb::Two)),
-            _ => 2,
-        }
-    }
-
-    /// Says why a block cannot be reached.
-    #[cold]
-    fn refuse(
-        &self,
-        memory: &mut Memory,
-        block: Block,
-        gate: (usize, u8),
-        access: Access,
-        verb: &str,
-        master: Master,
-    ) {
-        let who = if let Master::Dma(n) = master { format!(" by DMA{n}") } else { String::new() };
-        let why = if self.rcc.reset[gate.0] >> gate.1 & 1 == 1 {
-            "it is held in reset".into()
-        } else if self.rcc.enabled(gate) {
-            let cycles = self.gate_cycles(gate.0);
-            format!(
-                "its clock, just switched on, is not there yet: that takes {cycles} cycles (read the register back)"
-            )
-        } else {
-            format!("its clock is off ({} bit {})", ENABLE_REGISTERS[gate.0], gate.1)
-        };
-        memory.report(access.at, access.pc, format!("{} is {verb}{who} while {why}", block.name()));
     }
 
     /// The word that a write of less than a word amounts to. AHB peripherals take single lanes; on APB the whole

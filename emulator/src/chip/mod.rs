@@ -8,7 +8,7 @@
 //! | `map`, `pin`, `dma_requests` | tables of the manual: addresses, gates, interrupts, pins, DMA requests |
 //! | `clock`, `events` | time: rates, nanoseconds, and what happens next |
 //! | `rcc`, `flash`, `gpio`, `exti`, `timer`, `dma`, `usart`, `spi`, `adc`, `watchdog`, `rng`, `minor` | registers |
-//! | `access` | an access to a register, and what follows from it |
+//! | `access`, `gates` | an access to a register, whether it gets there, and what follows from it |
 //! | `transfer` | DMA at work |
 //! | `wiring` | pins, pulses, the board, changes of the clocks |
 //! | `happening` | what an event does |
@@ -26,6 +26,7 @@ mod events;
 mod exti;
 mod factory;
 mod flash;
+mod gates;
 mod gpio;
 mod happening;
 mod map;

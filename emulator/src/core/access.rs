@@ -124,6 +124,8 @@ impl Core {
             self.cycle += peripherals.wait_states(address);
         }
         let access = Access { at: self.cycle, address, width: width::<N>(), pc: self.r[15].wrapping_sub(4) };
+        // A read waits for the writes before it.
+        self.line_falls = None;
         let answer = peripherals.read(memory, access);
         self.after_peripheral(memory, peripherals);
         answer.map_err(|error| self.bus_fault(memory, error))
@@ -169,9 +171,31 @@ impl Core {
             self.cycle += peripherals.wait_states(target);
         }
         let access = Access { at: self.cycle, address: target, width: width::<N>(), pc };
+        let before = self.nvic.lines();
         let answer = peripherals.write(memory, access, value);
         self.after_peripheral(memory, peripherals);
+        if before & !self.nvic.lines() != 0 {
+            self.line_falls =
+                Some((access.at + peripherals.wait_states(target), before & !self.nvic.lines()));
+        }
         answer.map_err(|error| self.bus_fault(memory, error))
+    }
+
+    /// A handler returns: were the write that cleared its request still in the write buffer, the line would stand and the
+    /// handler be entered again (ARM application note 321).
+    pub(super) fn check_late_clear(&mut self, memory: &mut Memory, returning: u16) {
+        if let Some((until, lines)) = self.line_falls.take()
+            && self.cycle < until
+            && returning >= 16
+            && lines >> (returning - 16) & 1 == 1
+        {
+            let what = format!(
+                "the handler of interrupt {} returns right after the write that clears its request: without DSB it may be \
+                 entered twice",
+                returning - 16
+            );
+            memory.report(self.cycle, self.r[15].wrapping_sub(4), what);
+        }
     }
 
     /// A flash read through the data cache, stale lines included.

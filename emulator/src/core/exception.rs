@@ -234,6 +234,7 @@ impl Core {
         value: u32,
     ) -> Result<(), Lockup> {
         let returning = self.ipsr;
+        self.check_late_clear(memory, returning);
         let others = self.nvic.active & !bit(returning);
         let to_handler = value & 0xF == 1;
         let to_process_stack = value & 0xF == 0xD;

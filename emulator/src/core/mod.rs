@@ -97,6 +97,8 @@ pub struct Core {
     /// End of the last single load or store: one that follows at once is pipelined.
     pipelined: Cycle,
     fault_address: u32,
+    /// A write made these interrupt lines fall; until when it may be on its way there, if nothing has waited for it.
+    line_falls: Option<(Cycle, u128)>,
     /// A read of data waits for flash.
     waits_for_flash: bool,
     /// The line instructions come from (pessimistic timing).
@@ -171,6 +173,7 @@ impl Core {
             deadline: 0,
             pipelined: 0,
             fault_address: 0,
+            line_falls: None,
             waits_for_flash: false,
             fetch_line: u32::MAX,
             flash_alias: 0,

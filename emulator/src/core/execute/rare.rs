@@ -135,7 +135,8 @@ impl Core {
             Op::Clrex => self.exclusive = false,
             Op::Sev => self.event = true,
             // Barriers order what is in order here; CPS without privilege does nothing.
-            Op::Barrier { .. } | Op::Cps { .. } => {}
+            Op::Barrier { .. } => self.line_falls = None,
+            Op::Cps { .. } => {}
             _ => return false,
         }
         true
