@@ -49,8 +49,23 @@ pub enum AccessError {
     #[error("nothing lies at {0:#010x}")]
     Nothing(u32),
     /// Something lies there on the chip that this emulator does not have.
-    #[error("the peripheral at {0:#010x} is not emulated")]
-    NotEmulated(u32),
+    #[error("{1} at {0:#010x} is not emulated")]
+    NotEmulated(u32, &'static str),
+    /// It can only be read.
+    #[error("{1} at {0:#010x} cannot be written")]
+    ReadOnly(u32, &'static str),
+    /// Unprivileged code may not.
+    #[error("unprivileged code reaches for the system control space at {0:#010x}")]
+    Privileged(u32),
+}
+
+impl AccessError {
+    /// Where.
+    pub fn address(self) -> u32 {
+        match self {
+            Self::Nothing(at) | Self::NotEmulated(at, _) | Self::ReadOnly(at, _) | Self::Privileged(at) => at,
+        }
+    }
 }
 
 /// Everything at 0x4000_0000 to 0x5FFF_FFFF, and writes to flash memory (programming).
@@ -81,6 +96,24 @@ pub trait Peripherals {
     /// Level of the line of the non-maskable interrupt.
     fn non_maskable(&self) -> bool {
         false
+    }
+    /// Name of what lies at an address, for messages.
+    fn name_at(&self, address: u32) -> Option<String> {
+        let _ = address;
+        None
+    }
+    /// An event that wakes WFE came from outside since last asked (RM0090 section 12.2.3).
+    fn take_event(&mut self) -> bool {
+        false
+    }
+    /// Cycles that the core waits for an access beyond the one that the instruction takes, in pessimistic timing.
+    fn wait_states(&self, address: u32) -> Cycle {
+        let _ = address;
+        0
+    }
+    /// Which of the two figures of the cycle model is wanted; told once, before anything else.
+    fn set_pessimistic(&mut self, pessimistic: bool) {
+        let _ = pessimistic;
     }
     /// Whether the chip resets now, once; after it the machine calls [`reset`](Self::reset).
     fn take_reset(&mut self) -> bool;

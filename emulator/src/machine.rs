@@ -1,5 +1,7 @@
 //! The whole machine: core, memories and peripherals under one clock.
+mod faults;
 mod image;
+mod kind;
 mod semihosting;
 
 use crate::{
@@ -8,6 +10,7 @@ use crate::{
     memory::Memory,
 };
 
+pub use faults::FaultRecord;
 pub use image::{ImageError, flash_content, loaded, symbol_address, symbols};
 
 /// Why [`Machine::run_until`] returned.
@@ -19,8 +22,12 @@ pub enum Stop {
     /// The program ended through semihosting with this code (SYS_EXIT, SYS_EXIT_EXTENDED).
     #[error("the program exited with code {0}")]
     Exit(i32),
-    /// A fault in a handler that may not be interrupted (B1.5.15). Hardware stands still until reset.
-    #[error("lock-up at {pc:#010x}: {fault} (CFSR {cfsr:#010x}, HFSR {hfsr:#010x}, BFAR {bfar:#010x})")]
+    /// A fault in a handler that may not be interrupted (B1.5.15), with [`Machine::stop_at_lockups`] set. Hardware stands
+    /// still until reset.
+    #[error(
+        "lock-up at {pc:#010x}: {fault} (CFSR {cfsr:#010x}, HFSR {hfsr:#010x}, BFAR {bfar:#010x}){}",
+        faults::told(.chain)
+    )]
     Lockup {
         /// Instruction that faulted.
         pc: u32,
@@ -32,6 +39,8 @@ pub enum Stop {
         hfsr: u32,
         /// BusFault Address Register.
         bfar: u32,
+        /// The faults that led there, the first one first.
+        chain: Vec<FaultRecord>,
     },
     /// BKPT, with [`Machine::stop_at_breakpoints`] set.
     #[error("breakpoint {code} at {pc:#010x}")]
@@ -51,19 +60,6 @@ pub enum Stop {
     },
 }
 
-/// A fault taken, kept so that a test can say what went wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FaultRecord {
-    /// When.
-    pub at: Cycle,
-    /// Instruction that faulted.
-    pub pc: u32,
-    /// How.
-    pub fault: Fault,
-    /// Address of a data access (BFAR); meaningful for [`Fault::DataBus`].
-    pub address: u32,
-}
-
 /// Core, memories and peripherals.
 #[derive(Debug)]
 pub struct Machine<P> {
@@ -77,10 +73,14 @@ pub struct Machine<P> {
     pub semihosting: bool,
     /// Whether other breakpoints stop the machine (as with a debug probe attached) or fault.
     pub stop_at_breakpoints: bool,
+    /// Whether a lock-up stops the machine. Else time goes on as it does in hardware, until something resets the chip.
+    pub stop_at_lockups: bool,
     /// What the program wrote through semihosting.
     pub output: Vec<u8>,
     /// The last fault taken.
     pub last_fault: Option<FaultRecord>,
+    /// Faults of which none has been returned from, the first one first.
+    pub fault_chain: Vec<FaultRecord>,
     /// Core clock, for semihosting's clock; Hz.
     pub clock_hz: u64,
     symbols: image::Symbols,
@@ -127,15 +127,18 @@ impl Peripherals for NoPeripherals {
 
 impl<P: Peripherals> Machine<P> {
     /// A machine with blank flash; `seed` makes the noise in RAM at power-up. Load an image before running.
-    pub fn new(peripherals: P, timing: Timing, seed: u64) -> Self {
+    pub fn new(mut peripherals: P, timing: Timing, seed: u64) -> Self {
+        peripherals.set_pessimistic(timing == Timing::Pessimistic);
         Self {
             core: Core::new(timing),
             memory: Memory::new(seed),
             peripherals,
             semihosting: true,
             stop_at_breakpoints: false,
+            stop_at_lockups: false,
             output: Vec::new(),
             last_fault: None,
+            fault_chain: Vec::new(),
             clock_hz: 168_000_000,
             symbols: image::Symbols::default(),
             non_maskable: false,
@@ -148,7 +151,7 @@ impl<P: Peripherals> Machine<P> {
     }
 
     /// Runs until virtual time reaches `limit`, or something stops the machine. Time may end a few cycles late, by
-    /// the length of one instruction, exception entry or stall of flash.
+    /// the length of one instruction or exception entry.
     pub fn run_until(&mut self, limit: Cycle) -> Stop {
         loop {
             self.settle();
@@ -157,6 +160,10 @@ impl<P: Peripherals> Machine<P> {
             }
             if self.core.sleep != Sleep::Awake {
                 self.sleep(limit);
+                continue;
+            }
+            if self.core.stalls(&self.memory) {
+                self.stall(limit);
                 continue;
             }
             let result = match self.core.exception_to_take() {
@@ -189,14 +196,10 @@ impl<P: Peripherals> Machine<P> {
                     }
                 }
             };
-            if let Err(Lockup { fault }) = result {
-                return Stop::Lockup {
-                    pc: self.core.pc,
-                    fault,
-                    cfsr: self.core.scs.cfsr,
-                    hfsr: self.core.scs.hfsr,
-                    bfar: self.core.scs.bfar,
-                };
+            if let Err(lockup) = result
+                && let Some(stop) = self.lock_up(lockup)
+            {
+                return stop;
             }
         }
     }
@@ -225,7 +228,10 @@ impl<P: Peripherals> Machine<P> {
             self.peripherals.reset(&mut self.memory, now);
             self.core.set_lines(self.peripherals.interrupt_lines());
         }
-        if self.memory.has_changes() || self.memory.flash_interface.busy_until > now {
+        if self.peripherals.take_event() {
+            self.core.event = true;
+        }
+        if self.memory.has_changes() {
             self.core.follow_flash(&mut self.memory);
         }
     }
@@ -236,6 +242,7 @@ impl<P: Peripherals> Machine<P> {
         let wakes = match core.sleep {
             // Unlike WFI, WFE waits for what PRIMASK lets through (B1.5.18).
             Sleep::Event => std::mem::take(&mut core.event) || core.exception_to_take().is_some(),
+            Sleep::LockedUp => core.leaves_lockup(),
             _ => core.wakes(),
         };
         if wakes {
@@ -244,18 +251,30 @@ impl<P: Peripherals> Machine<P> {
         }
         let next =
             limit.min(self.peripherals.next_event()).min(core.systick.next_event()).max(core.cycle + 1);
-        core.counters.asleep += next - core.cycle;
-        if !self.peripherals.clocks_core_in_sleep() {
-            core.counters.stopped += next - core.cycle;
+        if core.sleep != Sleep::LockedUp {
+            core.counters.asleep += next - core.cycle;
+            if !self.peripherals.clocks_core_in_sleep() {
+                core.counters.stopped += next - core.cycle;
+            }
         }
         core.cycle = next;
     }
 
+    /// Waits for flash, no longer than until something else happens: a watchdog, say, that resets the chip in the middle of
+    /// an erase.
+    fn stall(&mut self, limit: Cycle) {
+        let until = self.memory.flash_interface.busy_until;
+        let next = limit.min(self.peripherals.next_event()).min(self.core.systick.next_event()).min(until);
+        self.core.cycle = next.max(self.core.cycle + 1);
+    }
+
     fn fault(&mut self, fault: Fault) -> Result<(), Lockup> {
-        let core = &mut self.core;
-        let address = core.fault_address();
-        self.last_fault = Some(FaultRecord { at: core.cycle, pc: core.pc, fault, address });
-        core.take_fault(&mut self.memory, &mut self.peripherals, fault)
+        if fault == Fault::FlashBusy {
+            self.core.wait_for_flash();
+            return Ok(());
+        }
+        self.note_fault(fault);
+        self.core.take_fault(&mut self.memory, &mut self.peripherals, fault)
     }
 
     fn supervisor_call(&mut self) -> Result<(), Lockup> {

@@ -61,7 +61,7 @@ fn an_unclocked_peripheral_reads_zero_takes_no_write_and_is_told() {
 #[test]
 fn what_is_not_there_says_so() {
     let mut rig = bare();
-    assert_eq!(rig.try_read(0x4000_5400), Err(AccessError::NotEmulated(0x4000_5400)));
+    assert_eq!(rig.try_read(0x4000_5400), Err(AccessError::NotEmulated(0x4000_5400, "I2C1")));
     assert_eq!(rig.try_read(0x4002_7000), Err(AccessError::Nothing(0x4002_7000)));
     assert_eq!(rig.read(0xE004_2000) & 0xFFF, 0x413);
 }
@@ -220,4 +220,24 @@ fn a_reset_of_the_core_keeps_its_cause_and_lets_the_pins_go() {
     assert_eq!(rig.read(RCC + 0x74) & 0xFE00_0000, 1 << 28 | 1 << 26);
     assert_eq!(rig.chip.clock().rates().hclk_hz, 16_000_000);
     assert_eq!(rig.read(RCC + 0x30), 0x0010_0000);
+}
+
+/// RM0090 sections 12.2.3 and 39.
+#[test]
+fn events_pass_by_the_pending_register_and_the_factory_left_its_words() {
+    let mut rig = bare();
+    rig.start_clocks();
+    rig.write(EXTI + 4, 1 << 4);
+    rig.write(EXTI + 0x10, 1 << 4);
+    assert!(emulator::bus::Peripherals::take_event(&mut rig.chip));
+    assert!(!emulator::bus::Peripherals::take_event(&mut rig.chip));
+    assert_eq!(rig.read(EXTI + 0x14), 0);
+
+    assert_eq!(rig.read(0x1FFF_7A20) >> 16, 1024, "flash, KiB");
+    let identity = [0x1FFF_7A10, 0x1FFF_7A14, 0x1FFF_7A18].map(|word| rig.read(word));
+    assert!(identity.iter().all(|word| ![0, u32::MAX].contains(word)));
+    assert!(rig.try_read(0x1FFF_0000).expect_err("the boot loader").to_string().contains("boot loader"));
+    rig.write(PWR, 1 << 8 | 1 << 14);
+    rig.write(0x4000_2808, 1 << 10);
+    assert!(rig.has_bug("RTC is set to wake"), "{:?}", rig.bugs());
 }

@@ -15,6 +15,7 @@ const MASTER: u32 = 1 << 9 | 1 << 8 | 1 << 2;
 /// 84 MHz / 16: 5.25 MHz.
 const RATE: u32 = 3 << 3;
 const BUFFER: u32 = 0x2000_3000;
+const CONFIGURATION: &[u8] = include_bytes!("../../firmware/vendor/bosch-bmi270/config_file.bin");
 
 fn board(rate: u32) -> Rig<SpeedyBeeF405V3> {
     let mut rig = speedybee();
@@ -60,13 +61,18 @@ fn write_register(rig: &mut Rig<SpeedyBeeF405V3>, address: u8, value: u8) {
 
 /// The upload of a driver that goes by the data sheet.
 fn bring_up(rig: &mut Rig<SpeedyBeeF405V3>, bytes: usize) {
+    upload(rig, &CONFIGURATION[..bytes], |chunk| chunk * 128);
+}
+
+/// An upload of 256 bytes at a time, each to the word that `place` says.
+fn upload(rig: &mut Rig<SpeedyBeeF405V3>, bytes: &[u8], place: impl Fn(usize) -> usize) {
     rig.pass(5 * MS);
     read_register(rig, 0);
     write_register(rig, 0x7C, 0);
     rig.pass(450 * US);
     write_register(rig, 0x59, 0);
-    for (chunk, _) in (0..bytes).step_by(256).enumerate() {
-        let word = chunk * 128;
+    for (chunk, bytes) in bytes.chunks(256).enumerate() {
+        let word = place(chunk);
         select(rig, true);
         exchange(rig, 0x5B);
         exchange(rig, (word & 15) as u8);
@@ -75,8 +81,8 @@ fn bring_up(rig: &mut Rig<SpeedyBeeF405V3>, bytes: usize) {
         rig.pass(2 * US);
         select(rig, true);
         exchange(rig, 0x5E);
-        for n in 0..256.min(bytes - 256 * chunk) {
-            exchange(rig, (n * 7 + chunk) as u8);
+        for byte in bytes {
+            exchange(rig, *byte);
         }
         select(rig, false);
         rig.pass(2 * US);
@@ -125,6 +131,20 @@ fn the_configuration_must_be_complete_and_takes_its_time() {
     assert!(rig.has_bug("7936 bytes of configuration"), "{:?}", rig.bugs());
     let other = rig.chip.board().gyro.uploaded().unwrap();
     assert_ne!(other.hash, upload.hash);
+}
+
+/// The chip checks what it is given.
+#[test]
+fn a_configuration_must_be_the_makers_and_lie_where_it_belongs() {
+    let mut changed = CONFIGURATION.to_vec();
+    changed[4000] ^= 1;
+    for (bytes, factor, swapped) in [(&changed[..], 128, 0), (CONFIGURATION, 0, 0), (CONFIGURATION, 128, 1)] {
+        let mut rig = board(RATE);
+        upload(&mut rig, bytes, |chunk| (chunk ^ swapped) * factor);
+        rig.pass(20 * MS);
+        assert_eq!(read_register(&mut rig, 0x21) & 15, 2);
+        assert!(rig.has_bug("does not lie where it belongs"), "{:?}", rig.bugs());
+    }
 }
 
 #[test]

@@ -215,3 +215,36 @@ fn memory_is_copied_by_dma2_only() {
     assert_eq!(rig.stream_flags(DMA1, 0), 8);
     assert!(rig.has_bug("DMA1 cannot copy"));
 }
+
+/// RM0090 section 30.6.1: by reading SR and then writing DR, or by writing zero.
+#[test]
+fn the_end_of_a_transmission_is_forgotten_by_its_sequence_only() {
+    let mut rig = port();
+    rig.write(DR, 1);
+    rig.pass(20 * US);
+    assert_eq!(rig.read(SR) & 0x40, 0x40);
+    rig.write(DR, 2);
+    assert_eq!(rig.read(SR) & 0x40, 0, "read, then written");
+    rig.pass(20 * US);
+    rig.write(DR, 3);
+    assert_eq!(rig.read(SR) & 0x40, 0x40, "written without reading");
+    rig.write(SR, !0x40);
+    assert_eq!(rig.read(SR) & 0x40, 0, "zero written");
+}
+
+#[test]
+fn modes_that_are_not_emulated_are_told() {
+    for (register, bits, what) in [
+        (CR1, UE | 2, "RWU"),
+        (CR1 + 4, 1 << 14, "LINEN"),
+        (CR1 + 4, 1 << 11, "CLKEN"),
+        (CR3, 2, "IREN"),
+        (CR3, 8, "HDSEL"),
+        (CR3, 0x20, "SCEN"),
+        (CR3, 0x200, "CTSE"),
+    ] {
+        let mut rig = port();
+        rig.write(register, bits);
+        assert!(rig.has_bug(what) && rig.has_bug("USART1"), "{what}: {:?}", rig.bugs());
+    }
+}

@@ -352,3 +352,29 @@ fn motors_arm_after_zeros_and_stop_when_the_pins_are_forced_low() {
     rig.pass(3 * MS);
     assert!(rig.chip.motors(rig.ns()).iter().all(|motor| !motor.armed && motor.throttle.is_none()));
 }
+
+/// A flag of an update that stands when requests are enabled may make one at once.
+#[test]
+fn a_standing_update_flag_may_ask_at_once() {
+    for (standing, cleared, left) in [(false, false, 72), (true, false, 68), (true, true, 72)] {
+        let mut rig = motors(140);
+        rig.chip.set_standing_timer_requests(standing);
+        fill(&mut rig, [0; 4], 140);
+        rig.stream(DMA1, 6, 2 << 25 | 1 << 13 | 1 << 11 | 1 << 10 | 1 << 6, 72, TIM4 + 0x4C, BUFFER);
+        rig.start_stream(DMA1, 6);
+        rig.write(TIM4 + EGR, 1);
+        if cleared {
+            rig.write(TIM4 + SR, 0);
+        }
+        rig.write(TIM4 + DIER, 1 << 8);
+        assert_eq!(rig.stream_left(DMA1, 6), left);
+    }
+}
+
+#[test]
+fn a_break_input_is_told() {
+    let mut rig = bare();
+    rig.start_clocks();
+    rig.write(0x4001_0044, 1 << 12);
+    assert!(rig.has_bug("TIM1 lets a break input"), "{:?}", rig.bugs());
+}

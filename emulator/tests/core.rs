@@ -68,7 +68,7 @@ struct Stub {
 
 impl Peripherals for Stub {
     fn read(&mut self, _: &mut Memory, access: Access) -> Result<u32, AccessError> {
-        Err(AccessError::NotEmulated(access.address))
+        Err(AccessError::NotEmulated(access.address, "nothing"))
     }
 
     fn write(&mut self, memory: &mut Memory, access: Access, value: u32) -> Result<(), AccessError> {
@@ -125,6 +125,7 @@ fn machine(timing: Timing, code: &[u16], handlers: &[(usize, &[u16])]) -> Machin
     }
     let mut machine = Machine::new(Stub::default(), timing, 1);
     machine.stop_at_breakpoints = true;
+    machine.stop_at_lockups = true;
     machine.memory.flash_interface.instruction_cache = true;
     machine.memory.flash_interface.data_cache = true;
     machine.load_binary(0x0800_0000, &image).expect("it fits");
@@ -147,6 +148,7 @@ fn a_fault_in_hard_fault_locks_up() {
 #[test]
 fn an_empty_vector_table_locks_up() {
     let mut machine = Machine::new(NoPeripherals::default(), Timing::Optimistic, 1);
+    machine.stop_at_lockups = true;
     let stop = machine.run_until(1000);
     assert!(matches!(stop, Stop::Lockup { .. }), "{stop}");
 }

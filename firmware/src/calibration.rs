@@ -63,6 +63,8 @@ pub struct ScaleCalibration {
     in_phase_s: f32,
     /// Since the first motion.
     turning_s: f32,
+    /// It has stood still near the goal for a window.
+    settled: bool,
 }
 
 impl ScaleCalibration {
@@ -82,6 +84,7 @@ impl ScaleCalibration {
             window: StillWindow::EMPTY,
             in_phase_s: 0.0,
             turning_s: 0.0,
+            settled: false,
         })
     }
 
@@ -156,9 +159,17 @@ impl ScaleCalibration {
         if turned > goal * (1.0 + SCALE_ERROR_MAX) + SCALE_MOTION_RAD {
             return Some(Err(E::TooFar));
         }
-        // A hand that changes its grip stands still as well: only near the goal is it the end.
-        let Some(Ok(bias_after)) = self.window.take(raw_radps) else { return None };
-        if turned < goal * (1.0 - SCALE_ERROR_MAX) {
+        // A hand that changes its grip stands still as well: only near the goal is it the end. And only the second window:
+        // the first may hold the last slow degrees of the turn.
+        let bias_after = match self.window.take(raw_radps) {
+            Some(Ok(mean)) if turned >= goal * (1.0 - SCALE_ERROR_MAX) => mean,
+            Some(_) => {
+                self.settled = false;
+                return None;
+            }
+            None => return None,
+        };
+        if !core::mem::replace(&mut self.settled, true) {
             return None;
         }
         let (vector, before) = (rotation.vector(), *bias_radps);

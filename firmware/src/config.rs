@@ -129,10 +129,10 @@ pub const LATE_ABORT_COUNT: u32 = 40;
 
 /// Proportional gain of the rate loop, 1/s, per axis. With rotors that respond within [`ROTOR_RESPONSE_S`] the loop is
 /// well damped up to 1/(2 · response).
-pub const RATE_GAIN_PER_S: [f32; 3] = [40.0, 40.0, 12.0];
+pub const RATE_GAIN_PER_S: [f32; 3] = [32.0, 32.0, 12.0];
 /// How a healthy vehicle follows a step of the rate setpoint at best, s: about the rotors' own response. Longer turns
 /// every lag into a smaller angle, shorter into an overshoot at the end of each turn.
-pub const RATE_RESPONSE_S: f32 = 0.012;
+pub const RATE_RESPONSE_S: f32 = 0.009;
 /// Integral gain, 1/s²: the accumulated rate error is the angle by which the vehicle departs from its plan.
 pub const RATE_INTEGRAL_PER_S2: [f32; 3] = [400.0, 400.0, 40.0];
 /// Bound of the accumulated angle error, rad: what the integrator may ask for. Beyond every envelope, or a vehicle that

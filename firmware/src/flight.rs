@@ -29,7 +29,7 @@ use crate::calibration::ScaleCalibration;
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
 use crate::keeping::{Keeper, Slots};
-use crate::mixer::{Demand, RotorDrive, mix};
+use crate::mixer::{Demand, RotorDrive, mix, to_outputs};
 use crate::player::Player;
 use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
@@ -59,7 +59,7 @@ pub struct TickInput {
 /// What the motors shall do until the next tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TickOutput {
-    /// Throttles of outputs 1..4, 0..1, where 0 stands still; `None` switches all of them off.
+    /// Throttles of output lines 1..4, 0..1, where 0 stands still; `None` switches all of them off.
     pub throttle: Option<[f32; MOTOR_COUNT]>,
     /// The body rates and thrust that the throttles are meant to bring about.
     pub setpoint: Setpoint,
@@ -292,7 +292,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint, now_us);
         self.to_record = self.recorded(&output);
-        output
+        // Here alone places of the frame become output lines.
+        TickOutput { throttle: output.throttle.map(|t| to_outputs(&self.config, t)), ..output }
     }
 
     /// The part of a tick that the motors need not wait for: requests that do not bear on them, answers, the record.
@@ -455,6 +456,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             measured: self.gyro.rates_radps(),
             thrust_mps2,
             dt_s,
+            follow_angle: self.state() == FlightState::Maneuver,
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
         let mixed = mix(&self.config, &demand);
@@ -470,12 +472,10 @@ impl<M: RecordMemory> FlightLogic<M> {
     fn tested(&mut self, now_us: u64) -> [f32; MOTOR_COUNT] {
         let mut throttle = [0.0; MOTOR_COUNT];
         self.motor_test = self.motor_test.filter(|test| now_us < test.until_us);
-        let slot = self.motor_test.and_then(|test| {
-            let output = *self.config.outputs.get(usize::from(test.motor))?;
-            Some((throttle.get_mut(usize::from(output))?, test.throttle))
-        });
-        if let Some((slot, wanted)) = slot {
-            *slot = wanted;
+        if let Some(test) = &self.motor_test
+            && let Some(slot) = throttle.get_mut(usize::from(test.motor))
+        {
+            *slot = test.throttle;
         }
         throttle
     }

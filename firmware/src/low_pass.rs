@@ -104,7 +104,8 @@ mod tests {
                 out = filter.update([i as f32; 3]);
             }
             let late_s = (799.0 - f64::from(out[1])) / SAMPLE_HZ;
-            assert!((late_s - LowPass::delay_s(hz)).abs() < 1e-6, "{hz}: {late_s}");
+            // Coefficients in `f32` are off by 1e-7, which a cutoff far below the sampling rate magnifies.
+            assert!((late_s - LowPass::delay_s(hz)).abs() < 1e-5, "{hz}: {late_s}");
         }
         assert!((LowPass::delay_s(150.0) - 1.32e-3).abs() < 1e-5);
     }

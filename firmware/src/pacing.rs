@@ -10,13 +10,22 @@ use mintime_shared::replay::TICK_PERIOD_US;
 const PERIOD_US: u64 = TICK_PERIOD_US as u64;
 /// An edge is waited for this long after the one before, µs.
 const EDGE_TIMEOUT_US: u64 = PERIOD_US * 3 / 2;
-/// No gyro is this much too fast; an edge that comes sooner is noise on the line, µs. It bounds the ticks in a second.
-const EDGE_MIN_US: u64 = PERIOD_US / 2;
+/// The gyro's clock and the vehicle's differ by no more than this, percent: the gyro's own is off by up to three.
+const CLOCK_ERROR_PERCENT: u64 = 5;
+/// An edge that comes before this part of the gyro's own period is noise on the line, percent. Were it taken for a tick, it
+/// would find an old sample, and the true edge behind it would count as the noise.
+const EDGE_MIN_PERCENT: u64 = 85;
+/// Beyond this part of it the edge before was not the last one, percent.
+const EDGE_MAX_PERCENT: u64 = 115;
+/// How finely the period is kept, parts of a microsecond, and how many edges it is the mean of.
+const SMOOTHING: u64 = 16;
 
 /// Decides which events are ticks.
 #[derive(Clone, Copy, Debug)]
 pub struct Pacer {
     last_edge_us: Option<u64>,
+    /// From edge to edge by the vehicle's clock, 1/[`SMOOTHING`] µs.
+    period: u64,
     last_tick_us: u64,
     deadline_us: u64,
     missed: u32,
@@ -28,6 +37,7 @@ impl Pacer {
     pub const fn new(now_us: u64) -> Self {
         Self {
             last_edge_us: None,
+            period: PERIOD_US * SMOOTHING,
             last_tick_us: now_us,
             deadline_us: now_us + PERIOD_US,
             missed: 0,
@@ -38,9 +48,19 @@ impl Pacer {
     /// An edge came at this time. The time of the tick it starts, or `None` where it came too soon to be one.
     pub fn edge(&mut self, at_us: u64) -> Option<u64> {
         self.look_at_clock(at_us);
-        if self.last_edge_us.is_some_and(|last| at_us < last.saturating_add(EDGE_MIN_US)) {
-            self.spurious = self.spurious.saturating_add(1);
-            return None;
+        if let Some(last_us) = self.last_edge_us {
+            let interval = at_us.saturating_sub(last_us).saturating_mul(SMOOTHING);
+            let percent = |part: u64| self.period * part / 100;
+            if interval < percent(EDGE_MIN_PERCENT) {
+                self.spurious = self.spurious.saturating_add(1);
+                return None;
+            }
+            if interval <= percent(EDGE_MAX_PERCENT) {
+                const SLOWEST: u64 = PERIOD_US * SMOOTHING * (100 + CLOCK_ERROR_PERCENT) / 100;
+                const FASTEST: u64 = PERIOD_US * SMOOTHING * (100 - CLOCK_ERROR_PERCENT) / 100;
+                let mean = (self.period * (SMOOTHING - 1) + interval) / SMOOTHING;
+                self.period = mean.clamp(FASTEST, SLOWEST);
+            }
         }
         self.last_edge_us = Some(at_us);
         self.deadline_us = at_us.saturating_add(EDGE_TIMEOUT_US);
@@ -148,10 +168,11 @@ mod tests {
     fn an_edge_too_soon_is_counted_and_moves_nothing() {
         let mut pacer = Pacer::new(0);
         pacer.edge(1_000);
-        assert_eq!(pacer.edge(1_624), None);
+        assert_eq!(pacer.edge(1_700), None);
+        assert_eq!(pacer.edge(2_062), None);
         assert_eq!(pacer.deadline_us, 2_875);
-        assert_eq!(pacer.edge(1_625), Some(1_625));
-        assert_eq!(pacer.spurious(), 1);
+        assert_eq!(pacer.edge(2_063), Some(2_063));
+        assert_eq!(pacer.spurious(), 2);
     }
 
     #[test]
@@ -197,9 +218,9 @@ mod tests {
             }
         }
 
-        /// A gyro whose clock is off by up to a fifth, with jitter, needs no help of the timer.
+        /// A gyro whose clock is off by up to five percent, with jitter, needs no help of the timer.
         #[test]
-        fn a_healthy_gyro_gives_every_tick(period in 1_000_u64..1_500, jitter in prop::collection::vec(0_u64..100, 1..100)) {
+        fn a_healthy_gyro_gives_every_tick(period in 1_188_u64..=1_312, jitter in prop::collection::vec(0_u64..50, 1..200)) {
             let mut pacer = Pacer::new(0);
             for (index, jitter) in (1_u64..).zip(jitter) {
                 let at = index * period + jitter;
@@ -207,6 +228,41 @@ mod tests {
                 prop_assert_eq!(pacer.edge(at), Some(at));
             }
             prop_assert_eq!(pacer.missed() + pacer.spurious(), 0);
+        }
+
+        /// Noise in the first four fifths of a period is told from the gyro's own edges, whatever its clock.
+        #[test]
+        fn noise_between_the_edges_is_no_tick(
+            period in 1_188_u64..=1_312,
+            noise in prop::collection::vec((any::<bool>(), 0_u64..800), 1..200),
+        ) {
+            let mut pacer = Pacer::new(0);
+            let mut spurious = 0;
+            for (index, (noisy, part)) in (1_u64..).zip(noise) {
+                let at = index * period;
+                prop_assert_eq!(pacer.edge(at), Some(at));
+                if noisy {
+                    prop_assert_eq!(pacer.edge(at + period * part / 1000), None);
+                    spurious += 1;
+                }
+            }
+            prop_assert_eq!((pacer.missed(), pacer.spurious()), (0, spurious));
+        }
+
+        /// Noise just before a true edge takes its place once; the edge after it is a tick again.
+        #[test]
+        fn noise_before_an_edge_costs_that_edge_only(period in 1_188_u64..=1_312, part in 880_u64..999) {
+            let mut pacer = Pacer::new(0);
+            for index in 1..40 {
+                prop_assert_eq!(pacer.edge(index * period), Some(index * period));
+            }
+            let noise = 39 * period + period * part / 1000;
+            prop_assert_eq!(pacer.edge(noise), Some(noise));
+            prop_assert_eq!(pacer.edge(40 * period), None);
+            for index in 41..80 {
+                prop_assert_eq!(pacer.edge(index * period), Some(index * period));
+            }
+            prop_assert_eq!((pacer.missed(), pacer.spurious()), (0, 1));
         }
     }
 }

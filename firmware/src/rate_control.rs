@@ -28,6 +28,9 @@ use crate::config::{
 use crate::low_pass::LowPass;
 use crate::mixer::Saturation;
 
+/// Divided by the compiler: on the vehicle a division is as long as ten multiplications.
+const FEED_FORWARD_PER_S: f32 = FEED_FORWARD / RATE_RESPONSE_S;
+
 /// What a step of the loop works on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RateInput {
@@ -41,6 +44,9 @@ pub struct RateInput {
     pub thrust_mps2: f32,
     /// Length of the step, s.
     pub dt_s: f32,
+    /// Whether the angle itself is owed, as in a maneuver. Elsewhere somebody else closes a loop around the attitude, and
+    /// the integral of an axis at its limit must not grow: anti-windup.
+    pub follow_angle: bool,
 }
 
 /// The loop's memory.
@@ -98,7 +104,8 @@ impl RateController {
         self.trim
     }
 
-    /// Says what the mixer made of the last demand: an axis that gets less than it asks for learns no trim.
+    /// Says what the mixer made of the last demand: an axis that gets less than it asks for learns no trim, and its integral
+    /// grows only where the angle is owed.
     pub fn limited(&mut self, saturation: &Saturation) {
         self.limited = saturation.axes;
     }
@@ -107,10 +114,12 @@ impl RateController {
     ///
     /// The integral compares what was expected with what was done over the same step.
     pub fn update(&mut self, config: &VehicleConfig, input: &RateInput) -> [f32; 3] {
-        let RateInput { asked, next, measured, thrust_mps2, dt_s } = *input;
+        let RateInput { asked, next, measured, thrust_mps2, dt_s, follow_angle } = *input;
         let blend = (dt_s / RATE_RESPONSE_S).clamp(0.0, 1.0);
         let filtered = self.filter.update(measured);
         let calm = thrust_mps2 >= TRIM_THRUST_MIN_MPS2 && next.iter().all(|r| r.abs() <= TRIM_CALM_RADPS);
+        // One division for three axes.
+        let learning = if calm { TRIM_GAIN_PER_S3 * dt_s / thrust_mps2 } else { 0.0 };
         let mut demand = gyroscopic(config, self.expected_radps);
         let memory = self
             .expected_radps
@@ -129,12 +138,15 @@ impl RateController {
             let before = *expected;
             *expected = finite(before + blend * (asked - before));
             let error = finite(*angle_error + (0.5 * (before + *expected) - done) * dt_s);
-            *angle_error = error.clamp(-INTEGRAL_BOUND_RAD, INTEGRAL_BOUND_RAD);
+            let error = error.clamp(-INTEGRAL_BOUND_RAD, INTEGRAL_BOUND_RAD);
+            if follow_angle || !limited || error.abs() < angle_error.abs() {
+                *angle_error = error;
+            }
             if calm && !limited {
-                let learned = *trim + TRIM_GAIN_PER_S3 * *angle_error * dt_s / thrust_mps2;
+                let learned = *trim + learning * *angle_error;
                 *trim = at_most(at_least(finite(learned), -TRIM_BOUND), TRIM_BOUND);
             }
-            let known = FEED_FORWARD * (next - *expected) / RATE_RESPONSE_S + *trim * thrust_mps2;
+            let known = FEED_FORWARD_PER_S * (next - *expected) + *trim * thrust_mps2;
             *slot += gain * (next - filtered) + integral * *angle_error + known;
         }
         demand

@@ -129,7 +129,7 @@ impl Parser {
         self.errors
     }
 
-    /// Takes a byte, and answers the frame that it completes. Shifts at most [`FRAME_BYTES`] bytes.
+    /// Takes a byte, and answers the frame that it completes. Shifts at most 64 bytes.
     #[inline(never)]
     pub fn push(&mut self, byte: u8) -> Option<Frame> {
         if let Some(slot) = self.bytes.get_mut(self.length) {

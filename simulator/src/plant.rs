@@ -58,6 +58,15 @@ impl Plant {
         }
     }
 
+    /// Takes another attitude at once, at rest in the air, and counts its turns afresh.
+    pub(crate) fn let_go(&mut self, attitude: UnitQuaternion<f64>) {
+        self.state.attitude = attitude.into_inner();
+        self.state.velocity = Vector3::zeros();
+        self.state.rates = Vector3::zeros();
+        self.turn_rad = [0.0; 2];
+        self.count_turns();
+    }
+
     /// Takes a command. Whatever is not a number counts as zero; whatever is out of range is cut off.
     pub(crate) fn apply(&mut self, command: &Command) {
         let within = |value: f32, low: f64, high: f64| {

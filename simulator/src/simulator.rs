@@ -3,7 +3,7 @@
 use core::ops::Range;
 use std::collections::VecDeque;
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::{
     clock::NS_PER_S,
@@ -166,6 +166,14 @@ impl Simulator {
     /// Takes a command, in force from now on.
     pub fn apply(&mut self, command: Command) {
         self.plant.apply(&command);
+    }
+
+    /// Holds the vehicle in an attitude, body to world as (w, x, y, z), and lets it go, at rest. Only in the air makes it
+    /// sense. What is no rotation is level.
+    pub fn let_go(&mut self, [w, x, y, z]: [f64; 4]) {
+        let quaternion = Quaternion::new(w, x, y, z);
+        let attitude = UnitQuaternion::try_new(quaternion, 1e-6).filter(|q| q.norm().is_finite());
+        self.plant.let_go(attitude.unwrap_or_default());
     }
 
     /// Breaks something during a span of true time, ns; `u64::MAX` as its end is for ever. The past cannot be changed: a

@@ -18,7 +18,13 @@ pub mod flight;
 pub mod flight_log;
 #[cfg(feature = "std")]
 pub mod mission;
+#[cfg(feature = "std")]
+pub mod motion_capture;
 pub mod pack;
+#[cfg(feature = "std")]
+pub mod port;
 #[cfg(feature = "std")]
 pub mod report;
 pub mod solver;
+#[cfg(feature = "std")]
+pub mod vehicle;

@@ -456,7 +456,18 @@ pub const PROTOCOL: u8 = PROTOCOL_VERSION;
 /// # Errors
 /// [`MissionError`]; nothing has moved.
 pub fn prepare(source: &Source, room: Option<&Room>) -> Result<Prepared, MissionError> {
-    let config = VehicleConfig::REFERENCE;
+    prepare_for(source, room, &VehicleConfig::REFERENCE)
+}
+
+/// The same for a given vehicle.
+///
+/// # Errors
+/// [`MissionError`]; nothing has moved.
+pub fn prepare_for(
+    source: &Source,
+    room: Option<&Room>,
+    config: &VehicleConfig,
+) -> Result<Prepared, MissionError> {
     let (table, solution) = match source {
         Source::Solve { to, limits, turns, heading_rad } => {
             // The solver takes limits that cannot sink; a vehicle that must hover first cannot.
@@ -523,7 +534,11 @@ pub fn fly_mission(
         heading_rad: f64::from(prepared.table.heading_rad),
         maneuver_s: f64::from(prepared.table.duration_s()),
     };
-    let plan = FlightPlan { table: prepared.table.clone(), start_m: Vector3::zeros(), vehicle: Some(VehicleConfig::REFERENCE) };
+    let plan = FlightPlan {
+        table: prepared.table.clone(),
+        start_m: Vector3::zeros(),
+        vehicle: Some(VehicleConfig::REFERENCE),
+    };
     let clock = Instant::now();
     let (flight, trace, virtual_time_s, emulated) = match vehicle {
         VehicleChoice::Hosted => {

@@ -224,7 +224,8 @@ fn the_motors_have_their_frame_on_time_with_a_saturated_link() {
     );
     assert_eq!(busy.board.motor_errors, 0, "late or lost motor frames");
     assert_eq!((busy.board.gyro_errors, busy.board.missed_ticks), (0, 0));
-    assert!(report.load <= 0.15 && busy.board.load_permille <= 150, "{report:?} {:?}", busy.board);
+    // With every access to a peripheral at its slowest.
+    assert!(report.load <= 0.17 && busy.board.load_permille <= 170, "{report:?} {:?}", busy.board);
     assert_eq!(report.bugs, [""; 0]);
     assert!(busy.board.stack_used_bytes <= 8192, "{:?}", busy.board);
     assert!(busy.answers > 500, "the filling was heard: {}", busy.answers);

@@ -1,8 +1,9 @@
 //! From demands to rotor thrusts to throttles, judged by the forces and torques that the rotors then make.
 
+use mintime_firmware::config::control::TRIM_BOUND;
 use mintime_firmware::config::{INTEGRAL_BOUND_RAD, VehicleConfig, YAW_RESERVE};
 use mintime_firmware::mixer::{Demand, RotorDrive, rotor_thrusts};
-use mintime_firmware::rate_control::RateController;
+use mintime_firmware::rate_control::{RateController, RateInput};
 use mintime_shared::frames::MOTORS;
 use proptest::prelude::*;
 
@@ -192,12 +193,17 @@ proptest! {
     ) {
         let mut loop_ = RateController::new();
         for ([a, b, c, d, e, f, g, h, i], dt) in steps {
-            loop_.update([a, b, c], [d, e, f], [g, h, i], dt);
+            let input = RateInput {
+                asked: [a, b, c], next: [d, e, f], measured: [g, h, i], thrust_mps2: a, dt_s: dt,
+                follow_angle: dt > a,
+            };
+            loop_.update(&VEHICLE, &input);
+            prop_assert!(loop_.trim().iter().all(|t| t.abs() <= TRIM_BOUND), "{:?}", loop_.trim());
             let errors = loop_.angle_error_rad();
             prop_assert!(errors.iter().all(|e| e.abs() <= INTEGRAL_BOUND_RAD), "{:?}", errors);
         }
-        loop_.reset([0.0; 3]);
-        prop_assert_eq!(loop_.update([0.0; 3], [0.0; 3], [0.0; 3], 1.25e-3), [0.0; 3]);
+        loop_.rest([0.0; 3]);
+        prop_assert_eq!(loop_.update(&VEHICLE, &RateInput { dt_s: 1.25e-3, ..RateInput::default() }), [0.0; 3]);
     }
 }
 
@@ -221,7 +227,8 @@ fn signs_axis_by_axis() {
     for axis in 0..3 {
         let mut next = [0.0; 3];
         next[axis] = 1.0;
-        let demand = RateController::new().update([0.0; 3], next, [0.0; 3], 1.25e-3);
+        let input = RateInput { next, dt_s: 1.25e-3, ..RateInput::default() };
+        let demand = RateController::new().update(&VEHICLE, &input);
         let turned = effect(mixed(9.81, demand)).1;
         for (i, t) in turned.iter().enumerate() {
             assert!(if i == axis { *t > 1.0 } else { t.abs() < 1e-3 }, "axis {axis}: {turned:?}");

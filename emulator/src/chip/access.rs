@@ -88,7 +88,14 @@ impl<B: Board> Chip<B> {
         let value = self.lanes(block, register, offset, access, value);
         match block {
             Block::Timer(n) => self.write_timer(memory, n, register, access, value),
-            Block::Rtc => self.minor.write_rtc(register, value),
+            Block::Rtc => {
+                self.minor.write_rtc(register, value);
+                // TSE, WUTE, ALRBE, ALRAE (RM0090 section 26.6.3).
+                if register == 0x08 && value & 0xF00 != 0 {
+                    let text = "RTC is set to wake, to alarm or to stamp times, which is not emulated";
+                    report(memory, access, Some(text.into()));
+                }
+            }
             Block::Wwdg => {
                 let divider = self.wwdg_divider();
                 if self.wwdg.write(register, value, at, divider) {
@@ -114,6 +121,9 @@ impl<B: Board> Chip<B> {
                 let divider = self.clock.apb_divider(map::usart_bus(n));
                 if let Some(done) = self.usarts[usize::from(n)].write(register, value, at, divider) {
                     self.events.set(Slot::UsartTx(n), done);
+                }
+                if let Some(text) = self.usarts[usize::from(n)].take_bug() {
+                    report(memory, access, Some(format!("{} {text}, which is not emulated", block.name())));
                 }
                 if self.usarts[usize::from(n)].take_opened() {
                     self.events
@@ -174,9 +184,9 @@ impl<B: Board> Chip<B> {
                 self.sync_timer(memory, n, at);
                 self.cut_pulses(memory, n, at);
                 let index = usize::from(n);
-                let sticky_requests = self.timers[index].sticky_requests;
+                let requests = self.timers[index].requests;
                 self.timers[index] = timer::Timer::new(index);
-                self.timers[index].sticky_requests = sticky_requests;
+                self.timers[index].requests = requests;
                 self.timers[index].set_divider(at, self.clock.timer_divider(map::timer_bus(n)));
                 self.timer_changed(n);
             }

@@ -120,6 +120,14 @@ impl Stream {
         }
     }
 
+    /// Whether a stream to a peripheral has room for another access to memory, and something is left to read.
+    pub(crate) fn reads_ahead(&self) -> bool {
+        let (item, access) = (self.peripheral_bytes() as usize, self.memory_bytes() as usize);
+        let room =
+            if self.direct() { self.fifo_used < item } else { self.fifo_used + access <= self.fifo.len() };
+        self.enabled() && room && usize::from(self.left) * item > self.fifo_used
+    }
+
     /// Counts an item. Answers whether the stream has come to its end and is off now.
     pub(crate) fn count_item(&mut self) -> bool {
         self.left = self.left.saturating_sub(1);
@@ -266,6 +274,11 @@ impl Stream {
                     if value & CR_PFCTRL != 0 {
                         done.bug =
                             Some("a DMA stream lets the peripheral control the flow, which is not emulated");
+                    }
+                    if self.left == 0 {
+                        // A stream that came to its end starts over with what NDTR was last written with; one that was
+                        // switched off before goes on with what was left (RM0090 sections 10.5.6 and 10.3.14).
+                        self.left = self.ndtr;
                     }
                     if self.left == 0 {
                         // Nothing to do: EN falls at once.

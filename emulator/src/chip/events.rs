@@ -27,6 +27,8 @@ pub(crate) enum Slot {
     Adc(u8),
     /// A transfer from memory to memory is done (stream of DMA2).
     MemoryCopy(u8),
+    /// A DMA controller is done with an item and another waits.
+    Dma(u8),
 }
 
 const TIMERS: usize = 4;
@@ -36,7 +38,8 @@ const USART_IDLE: usize = USART_RX + 6;
 const SPI: usize = USART_IDLE + 6;
 const ADC: usize = SPI + 3;
 const COPY: usize = ADC + 3;
-const SLOTS: usize = COPY + 8;
+const DMA: usize = COPY + 8;
+const SLOTS: usize = DMA + 2;
 
 impl Slot {
     fn index(self) -> usize {
@@ -52,6 +55,7 @@ impl Slot {
             Self::Spi(n) => SPI + usize::from(n),
             Self::Adc(n) => ADC + usize::from(n),
             Self::MemoryCopy(n) => COPY + usize::from(n),
+            Self::Dma(n) => DMA + usize::from(n),
         }
     }
 
@@ -68,7 +72,8 @@ impl Slot {
             _ if index < SPI => Self::UsartIdle(from(USART_IDLE)),
             _ if index < ADC => Self::Spi(from(SPI)),
             _ if index < COPY => Self::Adc(from(ADC)),
-            _ => Self::MemoryCopy(from(COPY)),
+            _ if index < DMA => Self::MemoryCopy(from(COPY)),
+            _ => Self::Dma(from(DMA)),
         }
     }
 }

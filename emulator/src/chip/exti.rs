@@ -14,6 +14,8 @@ pub(crate) struct Exti {
     ftsr: u32,
     pr: u32,
     swier: u32,
+    /// An event for the core, until it is told.
+    event: bool,
     exticr: [u32; 4],
     memrmp: u32,
     syscfg_other: u32,
@@ -35,6 +37,13 @@ impl Exti {
     pub(crate) fn edge(&mut self, line: usize, rising: bool) {
         let trigger = if rising { self.rtsr } else { self.ftsr };
         self.pr |= trigger & 1 << line;
+        // An event passes by the pending register (RM0090 section 12.2.3).
+        self.event |= trigger & self.emr & 1 << line != 0;
+    }
+
+    /// An event for the core came since last asked.
+    pub(crate) fn take_event(&mut self) -> bool {
+        std::mem::take(&mut self.event)
     }
 
     /// Levels of the interrupt lines, as bits of the IRQ numbers: EXTI0..4 are 6..10, EXTI9_5 is 23, EXTI15_10 is 40,
@@ -75,6 +84,7 @@ impl Exti {
             0x0C => self.ftsr = value,
             0x10 => {
                 self.pr |= value & !self.swier & self.imr;
+                self.event |= value & !self.swier & self.emr != 0;
                 self.swier |= value;
             }
             0x14 => {

@@ -54,6 +54,7 @@ impl<B: Board> Chip<B> {
             }
             Slot::Spi(n) => self.word_exchanged(memory, n, at),
             Slot::Adc(n) => self.converted(memory, n, at),
+            Slot::Dma(_) => self.pump(memory, at),
             Slot::MemoryCopy(stream) => self.copy_memory(memory, usize::from(stream), at),
         }
     }

@@ -1,6 +1,7 @@
 //! The memory map of the peripherals (RM0090 table 1), their clock gates and their interrupts (table 62).
 
 use super::clock::Apb;
+use super::factory;
 
 /// A peripheral. Numbers count from zero: `Timer(3)` is TIM4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,8 +33,10 @@ pub(crate) enum Place {
     Block(Block, u32),
     /// Flash memory: programming.
     FlashMemory(u32),
-    /// A peripheral of the chip that is not emulated.
-    Absent,
+    /// What the factory wrote: identity, size of flash, calibration.
+    Factory(u32),
+    /// Something on the chip that is not emulated, by name.
+    Absent(&'static str),
     /// Nothing.
     Nothing,
 }
@@ -68,17 +71,35 @@ pub(crate) fn place(address: u32) -> Place {
         0x14_0182 => Block::Rng,
         0x38_0108 => Block::Debug,
         0x02_0000..=0x02_03FF => return Place::FlashMemory(address & 0x000F_FFFF),
-        // I2S extensions, I2C1..3, CAN, DAC, SDIO, Ethernet, USB, DCMI, CRYP, HASH, and the bit-band alias.
-        0x10_000D | 0x10_0010 | 0x10_0015..=0x10_0017 | 0x10_0019 | 0x10_001A | 0x10_001D | 0x10_004B => {
-            return Place::Absent;
-        }
-        0x10_00A0..=0x10_00A4 | 0x10_0100..=0x10_01FF | 0x14_0000..=0x14_0181 | 0x10_8000..=0x10_FFFF => {
-            return Place::Absent;
-        }
-        _ => return Place::Nothing,
+        _ if factory::BYTES.contains(&address) => return Place::Factory(address - factory::BYTES.start),
+        n => return absent(n).map_or(Place::Nothing, Place::Absent),
     };
     let mask = if block == Block::BackupSram { 0xFFF } else { 0x3FF };
     Place::Block(block, address & mask)
+}
+
+/// What lies in a kibibyte of the map and is not emulated (RM0090 tables 1 and 5).
+fn absent(kibibyte: u32) -> Option<&'static str> {
+    Some(match kibibyte {
+        0x07_FFC0..=0x07_FFDD => "system memory (the boot loader)",
+        0x07_FFDE => "one-time programmable memory",
+        0x07_FFF0 => "option bytes",
+        0x10_000D | 0x10_0010 => "the I2S extension",
+        0x10_0015 => "I2C1",
+        0x10_0016 => "I2C2",
+        0x10_0017 => "I2C3",
+        0x10_0019 => "CAN1",
+        0x10_001A => "CAN2",
+        0x10_001D => "DAC",
+        0x10_004B => "SDIO",
+        0x10_00A0..=0x10_00A4 => "Ethernet",
+        0x10_0100..=0x10_01FF => "USB OTG HS",
+        0x14_0000..=0x14_00FF => "USB OTG FS",
+        0x14_0140 => "DCMI",
+        0x14_0180 => "CRYP",
+        0x14_0181 => "HASH",
+        _ => return None,
+    })
 }
 
 impl Block {
@@ -231,7 +252,8 @@ mod tests {
             let Place::Block(found, _) = place(address) else { panic!("{address:#x} has no block") };
             assert_eq!(found, block, "{address:#x}");
         }
-        assert_eq!(place(0x4000_5400), Place::Absent);
+        assert_eq!(place(0x4000_5400), Place::Absent("I2C1"));
+        assert_eq!(place(0x1FFF_7A22), Place::Factory(0x12));
         assert_eq!(place(0x4002_7000), Place::Nothing);
         assert_eq!(Block::Timer(3).gate(), Some((3, 2)));
         assert_eq!(Block::Timer(11).gate(), Some((3, 6)));

@@ -24,6 +24,7 @@ mod dma;
 mod dma_requests;
 mod events;
 mod exti;
+mod factory;
 mod flash;
 mod gpio;
 mod happening;
@@ -92,6 +93,12 @@ pub struct Chip<B> {
     /// A reset waits to be taken, for this reason (bits of RCC_CSR).
     reset_cause: Option<u32>,
     reset_taken: u32,
+    /// DMA takes its time.
+    pessimistic: bool,
+    /// When each controller is done with the item it carried last.
+    dma_free_at: [Cycle; 2],
+    /// Items carried without a pause.
+    dma_items: u32,
 }
 
 impl<B: Board> Chip<B> {
@@ -123,6 +130,9 @@ impl<B: Board> Chip<B> {
             board_due_ns: u64::MAX,
             reset_cause: None,
             reset_taken: 0,
+            pessimistic: false,
+            dma_free_at: [0; 2],
+            dma_items: 0,
         };
         chip.schedule_board();
         chip
@@ -136,7 +146,10 @@ impl<B: Board> Chip<B> {
 
     /// Makes everything up to `now` happen.
     fn catch_up(&mut self, memory: &mut Memory, now: Cycle) {
-        while let Some((slot, at)) = self.events.pop_due(now) {
+        // Nothing that lies behind a reset happens.
+        while self.reset_cause.is_none()
+            && let Some((slot, at)) = self.events.pop_due(now)
+        {
             self.now = self.now.max(at);
             self.happen(memory, slot, at);
         }
@@ -160,7 +173,8 @@ impl<B: Board> Peripherals for Chip<B> {
                     .rev()
                     .fold(0, |w, &b| w << 8 | u32::from(b)))
             }
-            Place::Absent => Err(AccessError::NotEmulated(access.address)),
+            Place::Factory(offset) => Ok(factory::read(offset, bytes(access.width))),
+            Place::Absent(name) => Err(AccessError::NotEmulated(access.address, name)),
             Place::Nothing => Err(AccessError::Nothing(access.address)),
         }
     }
@@ -180,7 +194,8 @@ impl<B: Board> Peripherals for Chip<B> {
                 self.flash_done(memory, access, done);
                 Ok(())
             }
-            Place::Absent => Err(AccessError::NotEmulated(access.address)),
+            Place::Factory(_) => Err(AccessError::ReadOnly(access.address, factory::NAME)),
+            Place::Absent(name) => Err(AccessError::NotEmulated(access.address, name)),
             Place::Nothing => Err(AccessError::Nothing(access.address)),
         }
     }
@@ -203,6 +218,27 @@ impl<B: Board> Peripherals for Chip<B> {
 
     fn non_maskable(&self) -> bool {
         self.rcc.nmi()
+    }
+
+    fn name_at(&self, address: u32) -> Option<String> {
+        match place(address) {
+            Place::Block(block, _) => Some(block.name()),
+            Place::Absent(name) => Some(format!("{name}, which is not emulated")),
+            Place::Factory(_) => Some(factory::NAME.into()),
+            Place::FlashMemory(_) | Place::Nothing => None,
+        }
+    }
+
+    fn take_event(&mut self) -> bool {
+        self.exti.take_event()
+    }
+
+    fn set_pessimistic(&mut self, pessimistic: bool) {
+        self.pessimistic = pessimistic;
+    }
+
+    fn wait_states(&self, address: u32) -> Cycle {
+        bus_wait(&self.clock, address)
     }
 
     fn take_reset(&mut self) -> bool {
@@ -230,6 +266,7 @@ impl<B: Board> Peripherals for Chip<B> {
         memory.flash_interface.data_cache = false;
         memory.flash_interface.busy_until = memory.flash_interface.busy_until.min(now);
         self.events = Events::new();
+        self.dma_free_at = [0; 2];
         for block in map::resettable() {
             self.reset_block(memory, block, now);
         }
@@ -263,6 +300,21 @@ fn bytes(width: Width) -> usize {
         Width::Byte => 1,
         Width::Half => 2,
         Width::Word => 4,
+    }
+}
+
+/// Cycles that an access waits for its bus at worst, beyond the one that the instruction takes.
+///
+/// On AHB another master may have just begun its access: one cycle. APB hangs behind a bridge that runs on the same clock,
+/// divided (RM0090 section 2.1): the access waits for the next edge of that clock, up to a bus cycle less one, and takes two
+/// bus cycles, set-up and access (AMBA APB, ARM IHI 0024, section 3). Writes count as long, though the core's buffer hides
+/// those that come alone.
+fn bus_wait(clock: &Clock, address: u32) -> Cycle {
+    let apb = |bus| 3 * u64::from(clock.apb_divider(bus)) - 1;
+    match address {
+        0x4000_0000..=0x4000_FFFF => apb(clock::Apb::One),
+        0x4001_0000..=0x4001_FFFF => apb(clock::Apb::Two),
+        _ => 1,
     }
 }
 

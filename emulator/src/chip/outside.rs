@@ -101,7 +101,15 @@ impl<B: Board> Chip<B> {
     /// not say; firmware must work with both. Off at first.
     pub fn set_sticky_timer_requests(&mut self, sticky: bool) {
         for timer in &mut self.timers {
-            timer.sticky_requests = sticky;
+            timer.requests.sticky = sticky;
+        }
+    }
+
+    /// Whether enabling the DMA requests of a timer's update makes one at once where the flag of an update stands. The manual
+    /// does not say; firmware must work with both. Off at first.
+    pub fn set_standing_timer_requests(&mut self, standing: bool) {
+        for timer in &mut self.timers {
+            timer.requests.standing = standing;
         }
     }
 

@@ -11,7 +11,7 @@ pub(super) const CR1_UDIS: u32 = 1 << 1;
 pub(super) const CR1_URS: u32 = 1 << 2;
 pub(super) const CR1_OPM: u32 = 1 << 3;
 pub(super) const CR1_ARPE: u32 = 1 << 7;
-const DIER_UDE: u32 = 1 << 8;
+pub(super) const DIER_UDE: u32 = 1 << 8;
 
 /// A register whose written value counts from the next update.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,6 +20,15 @@ pub(super) struct Preloaded {
     pub(super) written: u32,
     /// As it counts.
     pub(super) active: u32,
+}
+
+/// What the manual does not say of requests for DMA; firmware must work either way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Requests {
+    /// One that nobody has served outlives its enable bit.
+    pub(super) sticky: bool,
+    /// Enabling those of the update makes one at once where the update's flag stands.
+    pub(super) standing: bool,
 }
 
 /// One timer.
@@ -59,8 +68,8 @@ pub(crate) struct Timer {
     pub(super) burst_left: u32,
     /// Place of the next access through DMAR.
     pub(super) burst_index: u32,
-    /// A request outlives its enable bit: the manual does not say.
-    pub(super) sticky_requests: bool,
+    /// What the manual does not say of requests.
+    pub(super) requests: Requests,
     /// Requests of the channels left to serve, as bits.
     pub(super) channel_requests: u8,
 }
@@ -111,7 +120,7 @@ impl Timer {
             burst_left: 0,
             burst_index: 0,
             channel_requests: 0,
-            sticky_requests: false,
+            requests: Requests::default(),
         }
     }
 
@@ -236,10 +245,15 @@ impl Timer {
         if counted || self.cr1 & CR1_URS == 0 {
             self.sr |= 1;
             if self.dier & DIER_UDE != 0 {
-                self.burst_left = (self.dcr >> 8 & 0x1F) + 1;
-                self.burst_index = 0;
+                self.ask();
             }
         }
+    }
+
+    /// The update asks for DMA, once or for a burst.
+    pub(super) fn ask(&mut self) {
+        self.burst_left = (self.dcr >> 8 & 0x1F) + 1;
+        self.burst_index = 0;
     }
 
     /// Starts and stops counting.

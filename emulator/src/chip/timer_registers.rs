@@ -1,8 +1,9 @@
 //! The registers of a timer (RM0090 section 18.4).
 
-use super::timer::{CR1_ARPE, CR1_CEN, CR1_UDIS, Timer};
+use super::timer::{CR1_ARPE, CR1_CEN, CR1_UDIS, DIER_UDE, Timer};
 use crate::bus::Cycle;
 
+const BDTR_BKE: u32 = 1 << 12;
 /// Registers reached through DMAR, from CR1 on.
 const REGISTERS: u32 = 20;
 
@@ -59,8 +60,12 @@ impl Timer {
                 }
             }
             0x0C => {
+                let enabled = value & !self.dier & DIER_UDE != 0;
                 self.dier = value & 0x7F5F;
-                if !self.sticky_requests {
+                if enabled && self.requests.standing && self.sr & 1 != 0 {
+                    self.ask();
+                }
+                if !self.requests.sticky {
                     // Without its enable bit a request is gone.
                     if self.dier >> 8 & 1 == 0 {
                         self.burst_left = 0;
@@ -109,7 +114,12 @@ impl Timer {
                     self.ccr[channel].active = self.ccr[channel].written;
                 }
             }
-            0x44 => self.bdtr = value & 0xFFFF,
+            0x44 => {
+                self.bdtr = value & 0xFFFF;
+                if value & BDTR_BKE != 0 {
+                    return Some("lets a break input stop its outputs (BKE), which is not emulated");
+                }
+            }
             0x48 => self.dcr = value & 0x1F1F,
             0x4C => {
                 let target = self.burst_target();

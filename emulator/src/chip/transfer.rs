@@ -1,7 +1,7 @@
 //! DMA at work: who asks, and one item after another (RM0090 section 10.3).
 //!
-//! A request is served in the cycle it is made. The real controller takes a few cycles for each, which nothing at the
-//! rates of serial ports, converters and bursts can tell apart.
+//! In optimistic timing a request is served in the cycle it is made; in pessimistic timing a controller is busy with an item
+//! for a while, and what else asks it waits.
 
 use super::access::report;
 use super::dma::{Direction, TEIF};
@@ -9,11 +9,14 @@ use super::dma_requests::{Request, requests};
 use super::events::Slot;
 use super::map::{Block, Place, place};
 use super::{Board, Chip};
-use crate::bus::{Access, Cycle, Master, Width};
+use crate::bus::{Access, Cycle, Master, NEVER, Width};
 use crate::memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES};
 
 /// Items served in one go before a request that never goes away counts as a mistake.
 const MOST_ITEMS: u32 = 1 << 16;
+/// Cycles of an item besides those of the bus its peripheral hangs on, at worst: request, arbitration and acknowledgement, the
+/// access to memory, and a cycle lost there to the core (RM0090 section 10.3.3 names the steps; AN4031 counts them).
+const ITEM_CYCLES: u64 = 6;
 /// Cycles per item from memory to memory.
 const COPY_CYCLES: u64 = 4;
 
@@ -33,9 +36,14 @@ impl<B: Board> Chip<B> {
         if self.dma[0].on | self.dma[1].on == 0 {
             return;
         }
-        for served in 0.. {
-            let Some((controller, stream, request)) = self.most_urgent() else { return };
-            if served == MOST_ITEMS {
+        loop {
+            let Some((controller, stream, request)) = self.most_urgent(at) else {
+                self.wait_for_controllers(at);
+                return;
+            };
+            self.dma_items += 1;
+            if self.dma_items >= MOST_ITEMS {
+                self.dma_items = 0;
                 self.dma[controller].streams[stream].fail(TEIF);
                 self.dma[controller].note(stream);
                 let text =
@@ -44,10 +52,28 @@ impl<B: Board> Chip<B> {
                 return;
             }
             self.acknowledge(request);
+            if self.pessimistic {
+                let address = self.dma[controller].streams[stream].peripheral_at;
+                self.dma_free_at[controller] = at + ITEM_CYCLES + super::bus_wait(&self.clock, address);
+            }
             self.serve(memory, controller, stream, at);
             if let Request::TimerUpdate(n) | Request::TimerChannel(n, _) = request {
                 self.timer_changed(n);
             }
+        }
+    }
+
+    /// What asks a controller that is busy is looked at again when it is not.
+    fn wait_for_controllers(&mut self, at: Cycle) {
+        let mut waits = false;
+        for controller in 0..2 {
+            let free_at = self.dma_free_at[controller];
+            let due = if free_at > at && self.asking(controller).is_some() { free_at } else { NEVER };
+            waits |= due != NEVER;
+            self.events.set(Slot::Dma(controller as u8), due);
+        }
+        if !waits {
+            self.dma_items = 0;
         }
     }
 
@@ -76,6 +102,9 @@ impl<B: Board> Chip<B> {
                 state.channel()
             );
             report(memory, access, Some(text));
+        } else if state.direction() == Direction::MemoryToPeripheral {
+            let result = self.fill(memory, controller, stream, access.at);
+            self.conclude(memory, controller, stream, access.at, result);
         }
     }
 
@@ -98,29 +127,34 @@ impl<B: Board> Chip<B> {
         }
     }
 
-    /// The request to serve next: by priority, then by number of the stream.
-    fn most_urgent(&self) -> Option<(usize, usize, Request)> {
-        let mut best: Option<(u32, usize, usize, Request)> = None;
-        for (controller, dma) in self.dma.iter().enumerate() {
-            let mut on = dma.on;
-            while on != 0 {
-                let stream = on.trailing_zeros() as usize;
-                on &= on - 1;
-                let state = &dma.streams[stream];
-                if state.direction() == Direction::MemoryToMemory {
-                    continue;
-                }
-                let asking = requests(controller, stream, state.channel())
-                    .iter()
-                    .find(|request| self.asserted(**request));
-                if let Some(&request) = asking
-                    && best.is_none_or(|(priority, ..)| state.priority() > priority)
-                {
-                    best = Some((state.priority(), controller, stream, request));
-                }
+    /// The request to serve next, at a controller that is not busy.
+    fn most_urgent(&self, at: Cycle) -> Option<(usize, usize, Request)> {
+        (0..2).filter(|controller| self.dma_free_at[*controller] <= at).find_map(|controller| {
+            self.asking(controller).map(|(stream, request)| (controller, stream, request))
+        })
+    }
+
+    /// What asks a controller most urgently: by priority, then by number of the stream.
+    fn asking(&self, controller: usize) -> Option<(usize, Request)> {
+        let dma = &self.dma[controller];
+        let mut best: Option<(u32, usize, Request)> = None;
+        let mut on = dma.on;
+        while on != 0 {
+            let stream = on.trailing_zeros() as usize;
+            on &= on - 1;
+            let state = &dma.streams[stream];
+            if state.direction() == Direction::MemoryToMemory {
+                continue;
+            }
+            let asking =
+                requests(controller, stream, state.channel()).iter().find(|request| self.asserted(**request));
+            if let Some(&request) = asking
+                && best.is_none_or(|(priority, ..)| state.priority() > priority)
+            {
+                best = Some((state.priority(), stream, request));
             }
         }
-        best.map(|(_, controller, stream, request)| (controller, stream, request))
+        best.map(|(_, stream, request)| (stream, request))
     }
 
     fn asserted(&self, request: Request) -> bool {
@@ -152,6 +186,18 @@ impl<B: Board> Chip<B> {
                 self.item_in(memory, controller, stream, at)
             }
         };
+        self.conclude(memory, controller, stream, at, result);
+    }
+
+    /// What follows from an access: a stream that could not do it goes off.
+    fn conclude(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+        result: Result<(), (Fault, u32)>,
+    ) {
         if let Err((fault, address)) = result {
             self.dma[controller].streams[stream].fail(TEIF);
             let who = format!("DMA{} stream {stream}", controller + 1);
@@ -216,10 +262,30 @@ impl<B: Board> Chip<B> {
         stream: usize,
         at: Cycle,
     ) -> Result<(), (Fault, u32)> {
-        let state = &self.dma[controller].streams[stream];
-        let (width, wide) = (state.peripheral_bytes() as usize, state.memory_bytes());
-        while self.dma[controller].streams[stream].fifo_used < width {
-            let from = self.dma[controller].streams[stream].memory_at;
+        self.fill(memory, controller, stream, at)?;
+        let state = &mut self.dma[controller].streams[stream];
+        let width = state.peripheral_bytes() as usize;
+        let (to, value) = (state.peripheral_at, first_bytes(&state.fifo, width));
+        state.fifo.copy_within(width.., 0);
+        state.fifo_used = state.fifo_used.saturating_sub(width);
+        state.advance_peripheral();
+        self.dma_write(memory, controller, to, width as u32, value, at, true)?;
+        let over = self.dma[controller].streams[stream].count_item();
+        if over { Ok(()) } else { self.fill(memory, controller, stream, at) }
+    }
+
+    /// Reads ahead what is to go out: a stream to a peripheral does so when it is switched on and again behind every item,
+    /// in direct mode for one item, else as much as there is room for (RM0090 section 10.3.7).
+    fn fill(
+        &mut self,
+        memory: &mut Memory,
+        controller: usize,
+        stream: usize,
+        at: Cycle,
+    ) -> Result<(), (Fault, u32)> {
+        while self.dma[controller].streams[stream].reads_ahead() {
+            let state = &self.dma[controller].streams[stream];
+            let (from, wide) = (state.memory_at, state.memory_bytes());
             let value = self.dma_read(memory, controller, from, wide, at, false)?;
             let state = &mut self.dma[controller].streams[stream];
             let used = state.fifo_used;
@@ -229,13 +295,6 @@ impl<B: Board> Chip<B> {
             state.fifo_used += wide as usize;
             state.advance_memory();
         }
-        let state = &mut self.dma[controller].streams[stream];
-        let (to, value) = (state.peripheral_at, first_bytes(&state.fifo, width));
-        state.fifo.copy_within(width.., 0);
-        state.fifo_used -= width;
-        state.advance_peripheral();
-        self.dma_write(memory, controller, to, width as u32, value, at, true)?;
-        self.dma[controller].streams[stream].count_item();
         Ok(())
     }
 

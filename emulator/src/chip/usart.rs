@@ -16,6 +16,13 @@ const CR1_SBK: u32 = 1;
 const CR1_RE: u32 = 1 << 2;
 const CR1_TE: u32 = 1 << 3;
 const CR1_UE: u32 = 1 << 13;
+const CR1_RWU: u32 = 1 << 1;
+const CR2_CLKEN: u32 = 1 << 11;
+const CR2_LINEN: u32 = 1 << 14;
+const CR3_IREN: u32 = 1 << 1;
+const CR3_HDSEL: u32 = 1 << 3;
+const CR3_SCEN: u32 = 1 << 5;
+const CR3_FLOW: u32 = 3 << 8;
 
 /// What is in the shift register of the sender.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +63,10 @@ pub(crate) struct Usart {
     sr: u32,
     /// Flags seen by the last read of SR.
     seen: u32,
+    /// TC among them: a write to DR clears it then, and only then (RM0090 section 30.6.1).
+    complete_seen: bool,
+    /// A use that is not emulated, until it is told.
+    bug: Option<&'static str>,
     brr: u32,
     cr1: u32,
     cr2: u32,
@@ -74,6 +85,8 @@ impl Usart {
         Self {
             sr: SR_TXE | SR_TC,
             seen: 0,
+            complete_seen: false,
+            bug: None,
             brr: 0,
             cr1: 0,
             cr2: 0,
@@ -149,6 +162,7 @@ impl Usart {
         match offset {
             0x00 => {
                 self.seen = self.sr & SR_READ_CLEARS;
+                self.complete_seen = self.sr & SR_TC != 0;
                 self.sr
             }
             0x04 => {
@@ -176,7 +190,10 @@ impl Usart {
             // RXNE, TC, LBD and CTS are cleared by writing zero.
             0x00 => self.sr &= value | !(SR_RXNE | SR_TC | 0x300),
             0x04 => {
-                self.sr &= !(SR_TC | SR_TXE);
+                self.sr &= !SR_TXE;
+                if std::mem::take(&mut self.complete_seen) {
+                    self.sr &= !SR_TC;
+                }
                 self.waiting = Some((value & 0x1FF) as u16);
                 return self.load(now, divider);
             }
@@ -184,6 +201,7 @@ impl Usart {
             0x0C => {
                 let (was_transmitting, was_receiving) = (self.transmitting(), self.receiving());
                 self.cr1 = value & 0xBFFF;
+                self.note(value & CR1_RWU != 0, "is set to sleep until it is addressed (RWU)");
                 self.opened = self.receiving() && !was_receiving;
                 self.heard = self.receiving() && (self.heard || self.opened);
                 if self.transmitting() && self.sending.is_none() {
@@ -194,12 +212,33 @@ impl Usart {
                     return self.load(now, divider);
                 }
             }
-            0x10 => self.cr2 = value & 0x7F6F,
-            0x14 => self.cr3 = value & 0xFFF,
+            0x10 => {
+                self.cr2 = value & 0x7F6F;
+                self.note(value & CR2_LINEN != 0, "is set to LIN mode (LINEN)");
+                self.note(value & CR2_CLKEN != 0, "is set to give its clock (CLKEN)");
+            }
+            0x14 => {
+                self.cr3 = value & 0xFFF;
+                self.note(value & CR3_IREN != 0, "is set to infrared (IREN)");
+                self.note(value & CR3_HDSEL != 0, "is set to a single wire (HDSEL)");
+                self.note(value & CR3_SCEN != 0, "is set to smart cards (SCEN)");
+                self.note(value & CR3_FLOW != 0, "is set to flow control (RTSE, CTSE)");
+            }
             0x18 => self.gtpr = value & 0xFFFF,
             _ => {}
         }
         None
+    }
+
+    /// A use that is not emulated, once.
+    pub(crate) fn take_bug(&mut self) -> Option<&'static str> {
+        self.bug.take()
+    }
+
+    fn note(&mut self, used: bool, what: &'static str) {
+        if used {
+            self.bug = Some(what);
+        }
     }
 
     /// The shift register is empty: what it sent, and when it will be empty again.

@@ -97,7 +97,7 @@ impl Core {
             0x00 | 0x08 => {
                 let offset = address & !FLASH_BASE;
                 if offset < FLASH_BYTES {
-                    return Ok(self.read_flash::<N>(memory, offset));
+                    return self.read_flash::<N>(memory, offset);
                 }
             }
             0x10 => {
@@ -118,7 +118,10 @@ impl Core {
             _ => {}
         }
         if !leaves_core(address) {
-            return Err(self.bus_fault(memory, AccessError::Nothing(address)));
+            return Err(self.bus_fault(memory, unanswered(address)));
+        }
+        if self.timing == Timing::Pessimistic {
+            self.cycle += peripherals.wait_states(address);
         }
         let access = Access { at: self.cycle, address, width: width::<N>(), pc: self.r[15].wrapping_sub(4) };
         let answer = peripherals.read(memory, access);
@@ -159,9 +162,12 @@ impl Core {
                 return self.write_system(memory, peripherals, address, width::<N>(), value);
             }
             _ if leaves_core(address) => {}
-            _ => return Err(self.bus_fault(memory, AccessError::Nothing(address))),
+            _ => return Err(self.bus_fault(memory, unanswered(address))),
         }
         let pc = self.r[15].wrapping_sub(4);
+        if self.timing == Timing::Pessimistic {
+            self.cycle += peripherals.wait_states(target);
+        }
         let access = Access { at: self.cycle, address: target, width: width::<N>(), pc };
         let answer = peripherals.write(memory, access, value);
         self.after_peripheral(memory, peripherals);
@@ -169,10 +175,10 @@ impl Core {
     }
 
     /// A flash read through the data cache, stale lines included.
-    fn read_flash<const N: usize>(&mut self, memory: &mut Memory, offset: u32) -> u32 {
+    fn read_flash<const N: usize>(&mut self, memory: &mut Memory, offset: u32) -> Result<u32, Fault> {
         let interface = &mut memory.flash_interface;
         if interface.busy_until > self.cycle {
-            self.cycle = interface.busy_until;
+            return Err(Fault::FlashBusy);
         }
         let miss = interface.touch_data(offset);
         if miss && self.timing == Timing::Pessimistic {
@@ -187,9 +193,9 @@ impl Core {
                 );
                 memory.report(self.cycle, self.r[15].wrapping_sub(4), what);
             }
-            return value;
+            return Ok(value);
         }
-        load::<N>(&memory.flash, offset).unwrap_or(0)
+        Ok(load::<N>(&memory.flash, offset).unwrap_or(0))
     }
 
     /// Takes over what an access may have changed outside: the next event, interrupt lines, flash.
@@ -213,15 +219,18 @@ impl Core {
 
     /// Notes the address of a data fault.
     pub(crate) fn bus_fault(&mut self, memory: &mut Memory, error: AccessError) -> Fault {
-        let address = match error {
-            AccessError::Nothing(address) => address,
-            AccessError::NotEmulated(address) => {
-                memory.report(self.cycle, self.r[15].wrapping_sub(4), error.to_string());
-                address
-            }
-        };
-        self.fault_address = address;
+        memory.report(self.cycle, self.r[15].wrapping_sub(4), error.to_string());
+        self.fault_address = error.address();
         Fault::DataBus
+    }
+}
+
+/// Why nothing inside the core answers (RM0090 figure 18 and section 36.4).
+fn unanswered(address: u32) -> AccessError {
+    match address >> 24 {
+        0x60..=0x9F => AccessError::NotEmulated(address, "external memory (FSMC)"),
+        0xA0 if address & 0x00FF_F000 == 0 => AccessError::NotEmulated(address, "FSMC"),
+        _ => AccessError::Nothing(address),
     }
 }
 

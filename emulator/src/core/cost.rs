@@ -7,7 +7,7 @@ pub enum Timing {
     /// Flash without wait states, no other master on the bus, refills of the pipeline in one cycle.
     Optimistic,
     /// Wait states behind the accelerator's caches (RM0090 section 3.5.2), one cycle lost to another bus master at
-    /// each access to SRAM, refills of the pipeline in three cycles, divisions of full length.
+    /// each access to SRAM, the bridges to the peripheral buses at their slowest, DMA that takes its time, refills of the pipeline in three cycles, divisions of full length.
     Pessimistic,
 }
 

@@ -15,6 +15,7 @@ impl Core {
             Self { flash_slots: Box::default(), ram_slots: Box::default(), ..Self::empty(self.timing) };
         let old = std::mem::replace(self, fresh);
         self.flash_slots = old.flash_slots;
+        self.other_slots = old.other_slots;
         self.ram_slots = old.ram_slots;
         self.flash_alias = old.flash_alias;
         self.cycle = old.cycle;
@@ -55,6 +56,7 @@ impl Core {
         }
         self.fpca = false;
         let mut exception = exception;
+        exception = self.late_arrival(memory, peripherals, exception);
         if stacked.is_err() {
             // A derived exception; the one of higher priority goes first, the other stays pending (B1.5.11).
             let derived = self.record(Fault::Stacking, self.execution_priority());
@@ -66,6 +68,30 @@ impl Core {
             }
         }
         self.take(memory, peripherals, exception, link)
+    }
+
+    /// An exception of higher priority that comes during the stacking goes first, on the same frame; the one that caused
+    /// the stacking stays pending (Cortex-M4 TRM section 3.9.1).
+    fn late_arrival<P: Peripherals>(
+        &mut self,
+        memory: &mut Memory,
+        peripherals: &mut P,
+        exception: u16,
+    ) -> u16 {
+        if peripherals.next_event() <= self.cycle {
+            peripherals.advance(memory, self.cycle);
+        }
+        let lines = peripherals.interrupt_lines();
+        if lines != self.nvic.lines() {
+            self.set_lines(lines);
+        }
+        match self.nvic.next_pending() {
+            Some((late, _)) if self.nvic.priority_of(late) < self.nvic.priority_of(exception) => {
+                self.nvic.pending |= bit(exception);
+                late
+            }
+            _ => exception,
+        }
     }
 
     /// ExceptionTaken (B1.5.6): to the handler, with `link` to return by.
@@ -112,6 +138,8 @@ impl Core {
         exception: u16,
     ) -> Option<u32> {
         let address = self.scs.vtor.wrapping_add(4 * u32::from(exception));
+        // Entries wait before they begin (`Core::stalls`); only a tail-chain gets here while flash is busy.
+        self.cycle = self.cycle.max(memory.flash_interface.busy_until);
         self.read::<4, P>(memory, peripherals, address).ok()
     }
 
@@ -231,6 +259,7 @@ impl Core {
         if to_process_stack {
             std::mem::swap(&mut self.r[13], &mut self.other_sp);
         }
+        let frame = self.r[13];
         let popped = self.pop_frame(memory, peripherals, value & 0x10 == 0);
         let fault = match popped {
             Err(fault) => Some(fault),
@@ -246,6 +275,8 @@ impl Core {
             }
         };
         if let Some(fault) = fault {
+            // "PushStack() to negate PopStack()": the frame is where it was.
+            self.r[13] = frame;
             if to_process_stack {
                 std::mem::swap(&mut self.r[13], &mut self.other_sp);
             }

@@ -53,6 +53,9 @@ pub enum Fault {
     /// HFSR.DEBUGEVT: BKPT with no debugger attached.
     #[error("breakpoint without a debugger")]
     Breakpoint,
+    /// None that a program sees: the access waits for flash, and the instruction starts again when that is done.
+    #[error("flash is busy")]
+    FlashBusy,
     /// SVC at a priority that SVCall cannot preempt.
     #[error("supervisor call at too high a priority")]
     SupervisorCall,
@@ -81,7 +84,7 @@ impl Fault {
             Self::NoCoprocessor => (USAGE_FAULT, 19),
             Self::Unaligned => (USAGE_FAULT, 24),
             Self::DivideByZero => (USAGE_FAULT, 25),
-            Self::VectorTable | Self::Breakpoint | Self::SupervisorCall => (HARD_FAULT, 0),
+            Self::VectorTable | Self::Breakpoint | Self::SupervisorCall | Self::FlashBusy => (HARD_FAULT, 0),
         }
     }
 }
@@ -94,10 +97,7 @@ impl Core {
         peripherals: &mut P,
         fault: Fault,
     ) -> Result<(), Lockup> {
-        if self.it_before != 0 && self.it_pc == self.pc {
-            self.it = self.it_before;
-        }
-        self.it_before = 0;
+        self.take_back();
         let priority = self.execution_priority();
         if fault == Fault::DataBus && priority < 0 && self.scs.ignores_bus_faults() {
             // The access reads as zero or is lost, and the instruction is over.
@@ -109,6 +109,14 @@ impl Core {
             return Err(Lockup { fault });
         }
         self.enter(memory, peripherals, exception)
+    }
+
+    /// Forgets the attempt to execute the instruction at `pc`.
+    pub(crate) fn take_back(&mut self) {
+        if self.it_before != 0 && self.it_pc == self.pc {
+            self.it = self.it_before;
+        }
+        self.it_before = 0;
     }
 
     /// Sets the status bits of a fault and finds the exception that handles it at `priority` (B1.5.4, escalation).

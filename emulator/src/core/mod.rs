@@ -97,13 +97,17 @@ pub struct Core {
     /// End of the last single load or store: one that follows at once is pipelined.
     pipelined: Cycle,
     fault_address: u32,
+    /// A read of data waits for flash.
+    waits_for_flash: bool,
     /// The line instructions come from (pessimistic timing).
     fetch_line: u32,
     /// Bit 27 of the addresses under which flash runs: 0x0800_0000 or, aliased, 0.
     flash_alias: u32,
-    /// It just changed, so that what was decoded counts no more.
+    /// It just changed, so that what was decoded for the other one counts.
     alias_changed: bool,
     flash_slots: Box<[Slot]>,
+    /// The same for the other alias; empty until that is used. Branches hold whole addresses, so each needs its own.
+    other_slots: Box<[Slot]>,
     ram_slots: Box<[(u32, Slot)]>,
     pub(crate) timing: Timing,
 }
@@ -116,6 +120,8 @@ pub(crate) enum Sleep {
     Interrupt,
     /// WFE: until the event register is set.
     Event,
+    /// Lock-up (B1.5.15): until a reset, or a non-maskable interrupt if it is not that one's own.
+    LockedUp,
 }
 
 impl Core {
@@ -165,10 +171,12 @@ impl Core {
             deadline: 0,
             pipelined: 0,
             fault_address: 0,
+            waits_for_flash: false,
             fetch_line: u32::MAX,
             flash_alias: 0,
             alias_changed: false,
             flash_slots: Box::default(),
+            other_slots: Box::default(),
             ram_slots: Box::default(),
             timing,
         }
@@ -272,27 +280,61 @@ impl Core {
         if decode::is_wide(u16::from(first) << 8) { 4 } else { 2 }
     }
 
-    /// Forgets what was decoded from flash that has changed, and stalls while flash is busy.
+    /// Whether the core, awake, can do nothing before flash is done with an operation: a read of flash stalls the bus
+    /// meanwhile (RM0090 section 3.6.1), be it for an instruction, for data or for the vector of an exception.
+    pub(crate) fn stalls(&mut self, memory: &Memory) -> bool {
+        if memory.flash_interface.busy_until <= self.cycle {
+            self.waits_for_flash = false;
+            return false;
+        }
+        let in_flash = |address: u32| address & !FLASH_BASE < FLASH_BYTES;
+        self.waits_for_flash
+            || in_flash(self.pc)
+            || in_flash(self.scs.vtor) && self.exception_to_take().is_some()
+    }
+
+    /// The instruction at `pc` waits for flash and starts again then.
+    pub(crate) fn wait_for_flash(&mut self) {
+        self.take_back();
+        self.waits_for_flash = true;
+    }
+
+    /// Whether a handler of a fault is active.
+    pub(crate) fn handles_fault(&self) -> bool {
+        let handlers = [nvic::HARD_FAULT, nvic::MEM_MANAGE, nvic::BUS_FAULT, nvic::USAGE_FAULT];
+        handlers.iter().any(|handler| self.nvic.active & nvic::bit(*handler) != 0)
+    }
+
+    /// Stands still.
+    pub(crate) fn lock_up(&mut self) {
+        self.sleep = Sleep::LockedUp;
+    }
+
+    /// Lock-up ends for a non-maskable interrupt that preempts (B1.5.15).
+    pub(crate) fn leaves_lockup(&self) -> bool {
+        self.nvic.pending & nvic::bit(nvic::NMI) != 0 && self.execution_priority() > -2
+    }
+
+    /// Forgets what was decoded from flash that has changed.
     pub(crate) fn follow_flash(&mut self, memory: &mut Memory) {
         for changed in memory.take_changes() {
             // An instruction may start one halfword earlier.
             let first = (changed.start as usize).saturating_sub(2) / 2;
             let last = (changed.end as usize).div_ceil(2).min(self.flash_slots.len());
-            let Some(slots) = self.flash_slots.get_mut(first..last) else { continue };
             let mut executed: Option<(u32, u32)> = None;
-            for (slot, at) in slots.iter_mut().zip((first as u32 * 2..).step_by(2)) {
-                if slot.op != Op::Undecoded {
-                    executed = Some((executed.map_or(at, |range| range.0), at + 2));
-                    *slot = Slot::EMPTY;
+            for alias in [&mut self.flash_slots, &mut self.other_slots] {
+                let slots = alias.get_mut(first..last).unwrap_or_default();
+                for (slot, at) in slots.iter_mut().zip((first as u32 * 2..).step_by(2)) {
+                    if slot.op != Op::Undecoded {
+                        let (from, to) = executed.unwrap_or((at, at));
+                        executed = Some((from.min(at), to.max(at + 2)));
+                        *slot = Slot::EMPTY;
+                    }
                 }
             }
             if let Some((start, end)) = executed {
                 memory.suspect_fetches(start..end);
             }
-        }
-        let busy = memory.flash_interface.busy_until;
-        if busy > self.cycle && self.pc & !FLASH_BASE < FLASH_BYTES && self.sleep == Sleep::Awake {
-            self.cycle = busy;
         }
     }
 }

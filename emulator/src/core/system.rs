@@ -29,7 +29,7 @@ impl Core {
     ) -> Result<u32, Fault> {
         let _ = peripherals;
         if !self.privileged() {
-            return Err(self.bus_fault(memory, AccessError::Nothing(address)));
+            return Err(self.bus_fault(memory, AccessError::Privileged(address)));
         }
         let word = self.read_word(address & 0xFFFFC) >> (8 * (address & 3));
         Ok(match width {
@@ -99,7 +99,7 @@ impl Core {
         // STIR alone may be open to unprivileged code (CCR.USERSETMPEND).
         let open = offset == 0xEF00 && self.scs.ccr & 2 != 0;
         if !self.privileged() && !open {
-            return Err(self.bus_fault(memory, AccessError::Nothing(address)));
+            return Err(self.bus_fault(memory, AccessError::Privileged(address)));
         }
         let bytes = match width {
             Width::Byte => 1,
@@ -188,6 +188,12 @@ impl Core {
                 self.scs.cpacr = value & 0x00F0_0000;
                 self.fp_ready = false;
             }
+            // DWT_FUNCTION0 to 3 (C1.8.16).
+            0x1028 | 0x1038 | 0x1048 | 0x1058 if value & 0xF != 0 => memory.report(
+                self.cycle,
+                self.r[15].wrapping_sub(4),
+                "DWT_FUNCTION set: the comparators of the watchpoint unit are not emulated".to_owned(),
+            ),
             0xED94 if value & 1 != 0 => memory.report(
                 self.cycle,
                 self.r[15].wrapping_sub(4),

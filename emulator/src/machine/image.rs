@@ -5,6 +5,7 @@ use object::{
     read::elf::{FileHeader, ProgramHeader, Sym},
 };
 
+use super::kind;
 use crate::{Machine, bus::Peripherals, memory::FLASH_BASE};
 
 /// Why an ELF cannot be loaded.
@@ -13,6 +14,9 @@ pub enum ImageError {
     /// Not a 32-bit ELF.
     #[error("not an ELF for this machine: {0}")]
     Elf(#[from] object::read::Error),
+    /// Another kind of ELF than this machine runs.
+    #[error("{0}")]
+    Kind(String),
     /// A segment that no memory takes.
     #[error("a segment of {bytes} bytes at {address:#010x} lies in no memory")]
     Outside {
@@ -38,6 +42,7 @@ impl<P: Peripherals> Machine<P> {
     /// # Errors
     /// [`ImageError`].
     pub fn load_elf(&mut self, elf: &[u8]) -> Result<(), ImageError> {
+        kind::check(elf)?;
         let header = FileHeader32::<Endianness>::parse(elf)?;
         let endian = header.endian()?;
         let mut lowest = u32::MAX;
@@ -71,6 +76,11 @@ impl<P: Peripherals> Machine<P> {
         self.memory.place(address, image).ok_or(ImageError::Outside { address, bytes: image.len() })?;
         self.core.reset(&mut self.memory);
         Ok(())
+    }
+
+    /// Whether the image has a channel of SEGGER's Real-Time Transfer.
+    pub fn has_rtt(&self) -> bool {
+        self.symbols.rtt.is_some()
     }
 
     /// What the program wrote to channel 0 of SEGGER's Real-Time Transfer since last asked; empty where the image

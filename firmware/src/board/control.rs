@@ -8,7 +8,7 @@
 //! ones keep their times: the flight logic takes time from the clock, never from counting ticks.
 
 use core::cell::Cell;
-use core::sync::atomic::{AtomicU32, Ordering};
+use core::sync::atomic::{AtomicU32, Ordering, compiler_fence};
 
 use cortex_m::peripheral::DWT;
 use embassy_stm32::interrupt;
@@ -145,9 +145,14 @@ fn with_control(run: impl FnOnce(&mut Control)) {
 
 impl Control {
     fn edge(&mut self) {
-        let begin = DWT::cycle_count();
+        // In this order, for another edge may interrupt here and stamp itself: no stamp is later than the time it is
+        // compared with.
         let edge = tick_source::edge_cycles();
-        let age_us = u64::from(begin.wrapping_sub(edge) / CORE_MHZ);
+        compiler_fence(Ordering::SeqCst);
+        let begin = DWT::cycle_count();
+        // And were one later, it would be new, not as old as the counter can tell.
+        let age = begin.wrapping_sub(edge).cast_signed().max(0).cast_unsigned();
+        let age_us = u64::from(age / CORE_MHZ);
         let at_us = Instant::now().as_micros().saturating_sub(age_us);
         if let Some(now_us) = self.pacer.edge(at_us) {
             self.finish_frame();

@@ -102,32 +102,15 @@ impl Motors {
             self.errors = self.errors.saturating_add(1);
             return;
         }
-        // The last two are empty for ever.
-        for (slot, words) in (1..FRAME_BITS).zip(&BITS) {
-            for (word, frame) in words.iter().zip(frames) {
-                word.store(u32::from(frame.pulse_counts(slot)), Ordering::Relaxed);
-            }
-        }
         self.started = FINISHED.load(Ordering::Relaxed).wrapping_add(1);
-        clear_flags();
-        let stream = DMA1.st(MOTOR_DMA_STREAM);
-        stream.ndtr().write(|w| w.set_ndt(STREAM_WORDS));
-        // The words are in memory before the stream may read them.
-        cortex_m::asm::dmb();
-        stream.cr().write(|w| {
-            w.set_chsel(MOTOR_DMA_CHANNEL);
-            w.set_dir(Dir::MEMORY_TO_PERIPHERAL);
-            w.set_minc(true);
-            w.set_msize(Size::BITS32);
-            w.set_psize(Size::BITS32);
-            w.set_pl(Pl::VERY_HIGH);
-            w.set_tcie(true);
-            w.set_teie(true);
-            w.set_en(true);
-        });
+        // In this order: the stream reads its first word when it is switched on (RM0090 10.3.7).
+        fill(frames);
+        start_stream();
         // The round that waits, an empty bit; all lines stay low. No request, for the stream's first word is the second bit.
         MOTOR_TIMER.arr().write(|w| w.set_arr(WAIT_COUNTS));
         MOTOR_TIMER.egr().write(|w| w.set_ug(true));
+        // The update that this was is no request, whether or not the timer keeps it in mind until its requests are enabled.
+        MOTOR_TIMER.sr().write(|w| w.set_uif(false));
         // These hold from the end of that round on: the first bit, on all lines at once, and the request for the second.
         set_bit_rate();
         for (channel, frame) in frames.iter().enumerate() {
@@ -165,6 +148,36 @@ impl Motors {
         // A reset of the timer forgets a request that nobody served. The lines are pulled down meanwhile.
         set_up_timer();
     }
+}
+
+/// Puts the second bit and those after it where the stream reads them.
+fn fill(frames: &[Frame; MOTOR_COUNT]) {
+    // The last two are empty for ever.
+    for (slot, words) in (1..FRAME_BITS).zip(&BITS) {
+        for (word, frame) in words.iter().zip(frames) {
+            word.store(u32::from(frame.pulse_counts(slot)), Ordering::Relaxed);
+        }
+    }
+}
+
+/// Makes the stream ready for the timer's requests.
+fn start_stream() {
+    clear_flags();
+    let stream = DMA1.st(MOTOR_DMA_STREAM);
+    stream.ndtr().write(|w| w.set_ndt(STREAM_WORDS));
+    // The words are in memory before the stream may read them.
+    cortex_m::asm::dmb();
+    stream.cr().write(|w| {
+        w.set_chsel(MOTOR_DMA_CHANNEL);
+        w.set_dir(Dir::MEMORY_TO_PERIPHERAL);
+        w.set_minc(true);
+        w.set_msize(Size::BITS32);
+        w.set_psize(Size::BITS32);
+        w.set_pl(Pl::VERY_HIGH);
+        w.set_tcie(true);
+        w.set_teie(true);
+        w.set_en(true);
+    });
 }
 
 /// A round of the timer is a bit, from the end of the present one on.

@@ -19,6 +19,9 @@ const BIT_POLLS: u32 = 200;
 /// is safe in a fault handler and before the clocks are set up.
 pub(super) fn force_low() {
     pac::RCC.ahb1enr().modify(|w| w.set_gpioben(true));
+    // The clock is there two of its cycles later; a write before that is lost (ES0182, "Delay after an RCC peripheral clock
+    // enabling"). Reading back takes as long.
+    let _ = pac::RCC.ahb1enr().read();
     for pin in MOTOR_PINS {
         MOTOR_PORT.bsrr().write(|w| w.set_br(pin, true));
         MOTOR_PORT.pupdr().modify(|w| w.set_pupdr(pin, Pupdr::PULL_DOWN));

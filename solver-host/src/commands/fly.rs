@@ -4,14 +4,15 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{check_writable, write_mcap};
-use mintime::mission::{self, Mission, PlantChoice, Room, Source, VehicleChoice};
+use mintime::mission::{self, Flown, Mission, PlantChoice, Prepared, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 
 use super::limits::PlanArguments;
+use super::live::LiveArguments;
 use super::numbers::{self, Displacement};
 use super::print;
 use super::progress::Progress;
@@ -38,9 +39,13 @@ pub(crate) struct Fly {
     save_table: Option<PathBuf>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// What flies
-    #[arg(long, value_enum, default_value = "virtual")]
+    /// What flies: `virtual` (the very firmware image that gets flashed, on an emulated flight controller), `hosted` (the
+    /// flight logic in this process: no image needed, twenty times as fast), or the port of a real vehicle: a serial device,
+    /// tcp:HOST:PORT or udp:HOST:PORT
+    #[arg(long, value_name = "virtual|hosted|PORT", default_value = "virtual")]
     vehicle: VehicleKind,
+    #[command(flatten)]
+    live: LiveArguments,
     /// The image that the virtual flight controller runs; built from the sources if not given
     #[arg(long, value_name = "FILE.elf")]
     firmware: Option<PathBuf>,
@@ -70,12 +75,21 @@ pub(crate) struct Fly {
 }
 
 /// What can fly.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, PartialEq, Eq)]
 enum VehicleKind {
-    /// The very firmware image that gets flashed, on an emulated flight controller
     Virtual,
-    /// The flight logic in this process: no image needed, twenty times as fast
     Hosted,
+    Port(String),
+}
+
+impl From<&str> for VehicleKind {
+    fn from(text: &str) -> Self {
+        match text {
+            "virtual" => Self::Virtual,
+            "hosted" => Self::Hosted,
+            port => Self::Port(port.to_owned()),
+        }
+    }
 }
 
 impl Fly {
@@ -108,7 +122,7 @@ impl Fly {
     }
 
     fn vehicle(&self, progress: &Progress) -> Result<VehicleChoice, Box<dyn Error>> {
-        Ok(match (self.vehicle, &self.firmware) {
+        Ok(match (&self.vehicle, &self.firmware) {
             (VehicleKind::Hosted, None) => VehicleChoice::Hosted,
             (VehicleKind::Hosted, Some(_)) => {
                 return Err(
@@ -116,11 +130,44 @@ impl Fly {
                         .into(),
                 );
             }
-            (VehicleKind::Virtual, path) => {
+            (_, path) => {
                 let image = firmware(path.as_deref(), progress)?;
                 VehicleChoice::Virtual { image, both_timings: true }
             }
         })
+    }
+
+    fn fly_simulated(&self, mission: &Mission, progress: &mut Progress) -> Result<Flown, Box<dyn Error>> {
+        if self.live.are_given() {
+            return Err("--mocap is for a real vehicle: name its port with --vehicle PORT".into());
+        }
+        progress.say("computing the maneuver");
+        let prepared = mission::prepare(&mission.source, mission.room.as_ref())?;
+        self.save(&prepared)?;
+        let vehicle = self.vehicle(progress)?;
+        Ok(mission::fly_mission(mission, prepared, &vehicle, progress)?)
+    }
+
+    fn fly_real(
+        &self,
+        port: &str,
+        mission: &Mission,
+        progress: &mut Progress,
+    ) -> Result<Flown, Box<dyn Error>> {
+        if self.firmware.is_some() {
+            return Err("a real vehicle has its firmware already: leave out --firmware".into());
+        }
+        progress.say("asking the vehicle what it is, computing the maneuver");
+        let live = self.live.prepare(port, mission)?;
+        self.save(live.prepared())?;
+        self.live.fly(live, progress)
+    }
+
+    fn save(&self, prepared: &Prepared) -> Result<(), Box<dyn Error>> {
+        if let Some(path) = &self.save_table {
+            write_bytes(path, &prepared.bytes)?;
+        }
+        Ok(())
     }
 
     /// Whether it was flown to its end and caught.
@@ -133,15 +180,11 @@ impl Fly {
         let mission = self.mission()?;
 
         let mut progress = Progress::new();
-        progress.say("computing the maneuver");
-        let prepared =
-            mission::prepare(&mission.source, mission.room.as_ref()).inspect_err(|_| progress.finish())?;
-        if let Some(path) = &self.save_table {
-            write_bytes(path, &prepared.bytes)?;
+        let flown = match &self.vehicle {
+            VehicleKind::Port(port) => self.fly_real(port, &mission, &mut progress),
+            _ => self.fly_simulated(&mission, &mut progress),
         }
-        let vehicle = self.vehicle(&progress).inspect_err(|_| progress.finish())?;
-        let flown = mission::fly_mission(&mission, prepared, &vehicle, &mut progress)
-            .inspect_err(|_| progress.finish())?;
+        .inspect_err(|_| progress.finish())?;
 
         progress.say("writing the log and the picture");
         write_mcap(&recording::log(&mission, &flown, std::mem::take(&mut progress.events)), &self.log)?;

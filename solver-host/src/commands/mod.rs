@@ -4,14 +4,18 @@ mod answer;
 mod batch;
 mod explain;
 mod fly;
+mod keyboard;
 mod limits;
+mod live;
 mod numbers;
 mod progress;
 mod recording;
 mod solve;
+mod stop;
 mod summary;
 mod sweep;
 mod table;
+mod vehicle;
 mod virtual_board;
 
 use std::process::ExitCode;
@@ -37,6 +41,12 @@ pub(crate) enum Command {
     Sweep(sweep::Sweep),
     /// Explain a maneuver table.
     Show(table::TableFile),
+    /// Stop a vehicle's motors now, whatever it is doing.
+    ///
+    /// Sends emergency stops until the vehicle confirms one. The exit status is 0 only then.
+    Stop(stop::Stop),
+    /// Talk to a vehicle on the bench: identify, parameters, tables, calibration, motor test, record, events.
+    Vehicle(vehicle::Vehicle),
     /// Run the firmware image on an emulated flight controller behind a serial port, in real time.
     ///
     /// The airframe stands on the ground and obeys its motors. Any program that speaks the protocol (docs/protocol.md) can
@@ -53,6 +63,8 @@ impl Command {
             Self::Solve(solve) => solve.run(),
             Self::Sweep(sweep) => sweep.run(),
             Self::Show(file) => file.show(),
+            Self::Stop(stop) => stop.run(),
+            Self::Vehicle(vehicle) => vehicle.run(),
             Self::Verify(file) => file.verify(),
             Self::VirtualBoard(board) => board.run(),
         }

@@ -1,16 +1,26 @@
-//! The host's end of the link: requests out, answers and telemetry in, over any [`Connection`].
+//! The host's end of the link: requests out, answers and telemetry in, over any [`Line`].
+//!
+//! Every request has a number; what stays unanswered is sent again under the same one, so that it is done once. `Pending`
+//! is asked again until it is done. Where the vehicle is paired, everything but the question who it is carries a seal.
 
-use mintime_shared::framing::{Decoder, encode};
+use mintime_shared::framing::{Decoder, Frame};
 use mintime_shared::messages::{
     Downlink, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Setpoint, Telemetry, Uplink,
 };
+use mintime_shared::seal::{PairingKey, seal};
 
-use super::connection::{Connection, ConnectionError};
+use super::connection::{ConnectionError, Line};
 
 /// An answer is waited for this long before the request is sent again, s.
 const ANSWER_TIMEOUT_S: f64 = 0.05;
 /// Times a request is sent before the vehicle counts as silent. Every request is harmless when repeated.
 const TRIES: u32 = 10;
+/// What is under way on the vehicle is asked for again this often, s ...
+const PENDING_PERIOD_S: f64 = 0.1;
+/// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
+const PENDING_TIMEOUT_S: f64 = 10.0;
+/// Counters of seals follow the clock at this rate, 1/s, so that each program begins above where the one before it ended.
+const SEALS_PER_S: f64 = 500.0;
 
 /// Why a request has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -21,6 +31,11 @@ pub enum ClientError {
     /// Nothing came back.
     #[error("the vehicle does not answer: check the link, the baud rate (921600) and the power")]
     Silent,
+    /// It says that it is at it, but does not finish.
+    #[error(
+        "the vehicle has been at it for {PENDING_TIMEOUT_S} s and does not finish: switch it off and on, and try again"
+    )]
+    Unfinished,
     /// Something else came back.
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]
     Mismatch,
@@ -41,6 +56,12 @@ struct Pending {
     request: Request,
     sent_s: f64,
     tries: u32,
+    /// Since when the vehicle says that it is at it, s.
+    working_since_s: Option<f64>,
+    /// The seal was refused: an old counter that was overtaken, or another key.
+    unsealed: bool,
+    /// Telemetry messages before it was asked.
+    telemetry_count: u64,
 }
 
 /// Keeps requests, answers and telemetry in order.
@@ -49,18 +70,44 @@ pub struct Client {
     decoder: Decoder,
     received: Vec<u8>,
     number: u16,
-    /// Of the newest setpoint.
     sequence: u16,
     pending: Option<Pending>,
     telemetry: Option<Telemetry>,
+    telemetry_count: u64,
     line_errors: u32,
+    repeats: u32,
+    round_trip_s: Option<f64>,
     foreign_version: Option<u8>,
+    key: Option<PairingKey>,
+    /// The vehicle's session, if it wants seals.
+    session: Option<u32>,
+    counter: u32,
 }
 
 impl Client {
+    /// A client that seals with this key where the vehicle asks for it.
+    pub fn with_key(key: Option<PairingKey>) -> Self {
+        Self { key, ..Self::default() }
+    }
+
+    /// Seals with another key from now on.
+    pub fn set_key(&mut self, key: Option<PairingKey>) {
+        self.key = key;
+    }
+
+    /// Whether the vehicle has said which session its seals are made for.
+    pub fn knows_session(&self) -> bool {
+        self.session.is_some()
+    }
+
     /// The newest telemetry.
     pub fn telemetry(&self) -> Option<&Telemetry> {
         self.telemetry.as_ref()
+    }
+
+    /// Telemetry messages so far.
+    pub fn telemetry_count(&self) -> u64 {
+        self.telemetry_count
     }
 
     /// Received frames that were not messages.
@@ -68,14 +115,33 @@ impl Client {
         self.line_errors
     }
 
+    /// Requests that were sent again because no answer came in time.
+    pub fn repeats(&self) -> u32 {
+        self.repeats
+    }
+
+    /// From sending to answer, of the last request that was sent once, s.
+    pub fn round_trip_s(&self) -> Option<f64> {
+        self.round_trip_s
+    }
+
     /// Streams a setpoint; it is not answered.
     ///
     /// # Errors
     /// [`ConnectionError`] of the line.
-    pub fn stream(&mut self, line: &mut impl Connection, setpoint: Setpoint) -> Result<(), ConnectionError> {
-        let number = self.next_number();
+    pub fn stream(&mut self, line: &mut impl Line, setpoint: Setpoint) -> Result<(), ConnectionError> {
         self.sequence = self.sequence.wrapping_add(1);
-        transmit(line, number, Request::Setpoint { sequence: self.sequence, setpoint })
+        let number = self.next_number();
+        self.transmit(line, number, Request::Setpoint { sequence: self.sequence, setpoint })
+    }
+
+    /// Tells the vehicle that the host is there; it is not answered.
+    ///
+    /// # Errors
+    /// [`ConnectionError`] of the line.
+    pub fn heartbeat(&mut self, line: &mut impl Line) -> Result<(), ConnectionError> {
+        let number = self.next_number();
+        self.transmit(line, number, Request::Heartbeat)
     }
 
     /// Sends a request; [`poll`](Self::poll) brings the answer. One request at a time: an earlier one still under way
@@ -83,15 +149,18 @@ impl Client {
     ///
     /// # Errors
     /// [`ConnectionError`] of the line.
-    pub fn ask(
-        &mut self,
-        line: &mut impl Connection,
-        request: Request,
-        now_s: f64,
-    ) -> Result<(), ConnectionError> {
+    pub fn ask(&mut self, line: &mut impl Line, request: Request, now_s: f64) -> Result<(), ConnectionError> {
         let number = self.next_number();
-        transmit(line, number, request.clone())?;
-        self.pending = Some(Pending { number, request, sent_s: now_s, tries: 1 });
+        self.transmit(line, number, request.clone())?;
+        self.pending = Some(Pending {
+            number,
+            request,
+            sent_s: now_s,
+            tries: 1,
+            working_since_s: None,
+            unsealed: false,
+            telemetry_count: self.telemetry_count,
+        });
         Ok(())
     }
 
@@ -100,7 +169,7 @@ impl Client {
     ///
     /// # Errors
     /// [`ClientError`]; a refusal is one.
-    pub fn poll(&mut self, line: &mut impl Connection, now_s: f64) -> Result<Option<Reply>, ClientError> {
+    pub fn poll(&mut self, line: &mut impl Line, now_s: f64) -> Result<Option<Reply>, ClientError> {
         self.received.clear();
         line.receive(&mut self.received)?;
         let mut answer = None;
@@ -113,60 +182,118 @@ impl Client {
                 }
                 Some(Ok(Downlink { message: Message::Telemetry(telemetry), .. })) => {
                     self.telemetry = Some(telemetry);
+                    self.telemetry_count += 1;
                 }
-                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. }))
-                    if self.pending.as_ref().is_some_and(|p| p.number == number) =>
-                {
-                    if reply == Reply::Pending {
-                        // It is under way: ask again later, for as long as somebody says so.
-                        if let Some(pending) = &mut self.pending {
-                            (pending.sent_s, pending.tries) = (now_s, 1);
-                        }
-                        continue;
-                    }
-                    answer = Some(reply);
-                    self.pending = None;
+                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. })) => {
+                    answer = self.take(number, reply, now_s).or(answer);
                 }
-                // The answer to a request that was repeated and answered meanwhile.
-                Some(Ok(Downlink { message: Message::Reply { .. }, .. })) => {}
             }
         }
-        if let Some(Reply::Refused(refusal)) = answer {
-            return Err(ClientError::Refused(refusal));
-        }
-        if answer.is_none() {
-            self.repeat(line, now_s)?;
+        match answer {
+            Some(Reply::Refused(refusal)) => return Err(ClientError::Refused(refusal)),
+            Some(_) => {}
+            None => self.repeat(line, now_s)?,
         }
         Ok(answer)
     }
 
-    fn repeat(&mut self, line: &mut impl Connection, now_s: f64) -> Result<(), ClientError> {
+    /// What a reply means for the request under way: `Some` where it ends it. Answers to requests that were repeated and
+    /// answered meanwhile mean nothing.
+    fn take(&mut self, number: u16, reply: Reply, now_s: f64) -> Option<Reply> {
+        let pending = self.pending.as_mut().filter(|p| p.number == number)?;
+        match reply {
+            Reply::Pending => {
+                pending.working_since_s.get_or_insert(now_s);
+                return None;
+            }
+            // On a line that reorders, a seal may be overtaken by a newer one: that alone proves no wrong key.
+            Reply::Refused(Refusal::NotSealed) if self.key.is_some() && self.session.is_some() => {
+                pending.unsealed = true;
+                return None;
+            }
+            Reply::Identity(identity) => self.session = identity.paired.then_some(identity.session),
+            _ => {}
+        }
+        if pending.tries == 1 {
+            self.round_trip_s = Some(now_s - pending.sent_s);
+        }
+        self.pending = None;
+        Some(reply)
+    }
+
+    fn repeat(&mut self, line: &mut impl Line, now_s: f64) -> Result<(), ClientError> {
         let Some(pending) = &mut self.pending else {
             return Ok(());
         };
-        if now_s - pending.sent_s < ANSWER_TIMEOUT_S {
-            return Ok(());
-        }
-        if pending.tries >= TRIES {
+        let waited_s = now_s - pending.sent_s;
+        let failure = if let Some(since_s) = pending.working_since_s {
+            if waited_s < PENDING_PERIOD_S {
+                return Ok(());
+            }
+            (now_s - since_s > PENDING_TIMEOUT_S).then_some(ClientError::Unfinished)
+        } else {
+            if waited_s < ANSWER_TIMEOUT_S {
+                return Ok(());
+            }
+            self.repeats += 1;
+            let silent = self.foreign_version.map_or(ClientError::Silent, ClientError::Version);
+            // It talks but does not answer what is sealed: what another key has sealed is noise to it.
+            let unheard = self.key.is_some()
+                && self.session.is_some()
+                && pending.request != Request::Identify
+                && self.telemetry_count > pending.telemetry_count;
+            let error =
+                if pending.unsealed || unheard { ClientError::Refused(Refusal::NotSealed) } else { silent };
+            (pending.tries >= TRIES).then_some(error)
+        };
+        if let Some(error) = failure {
             self.pending = None;
-            return Err(self.foreign_version.map_or(ClientError::Silent, ClientError::Version));
+            return Err(error);
         }
         pending.tries += 1;
         pending.sent_s = now_s;
-        Ok(transmit(line, pending.number, pending.request.clone())?)
+        let (number, request) = (pending.number, pending.request.clone());
+        Ok(self.transmit(line, number, request)?)
     }
 
     fn next_number(&mut self) -> u16 {
         self.number = self.number.wrapping_add(1);
         self.number
     }
-}
 
-fn transmit(line: &mut impl Connection, number: u16, request: Request) -> Result<(), ConnectionError> {
-    let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
-    // No request of the protocol is longer than a frame; the type bounds every part.
-    let frame = encode(&uplink).map_err(|e| std::io::Error::other(e.to_string()))?;
-    // A zero first: whatever noise or half a frame came before, this frame begins afresh.
-    line.send(&[0])?;
-    line.send(frame.as_bytes())
+    /// The counter of the next seal: above every earlier one, of this program and of those before it.
+    fn next_counter(&mut self) -> u32 {
+        let since_epoch = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+        // Wraps after 99 days; a vehicle's session is one charge of a battery.
+        let by_clock = (since_epoch.map_or(0.0, |d| d.as_secs_f64()) * SEALS_PER_S) as u64 as u32;
+        self.counter = self.counter.saturating_add(1).max(by_clock);
+        self.counter
+    }
+
+    fn transmit(
+        &mut self,
+        line: &mut impl Line,
+        number: u16,
+        request: Request,
+    ) -> Result<(), ConnectionError> {
+        // Whoever is asked who he is may have been switched off and on since: no session is known for sure.
+        let sealed = (request != Request::Identify).then_some(self.key.zip(self.session)).flatten();
+        let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
+        let mut frame = Frame::new();
+        match sealed {
+            Some((key, session)) => {
+                let counter = self.next_counter();
+                frame.fill_sealed(&uplink, |content| seal(&key, session, counter, content))
+            }
+            None => frame.fill(&uplink),
+        }
+        // No request of the protocol is longer than a frame; the type bounds every part.
+        .map_err(|e| std::io::Error::other(e.to_string()))?;
+        // A zero first: whatever noise or half a frame came before, this frame begins afresh. In one piece, so that it is one
+        // datagram where it travels as such.
+        let mut bytes = Vec::with_capacity(frame.as_bytes().len() + 1);
+        bytes.push(0);
+        bytes.extend_from_slice(frame.as_bytes());
+        line.send(&bytes)
+    }
 }

@@ -1,7 +1,11 @@
 //! What a flight needs of the world: a serial line to a vehicle, and motion capture that watches it.
 
 use mintime_shared::messages::FlightState;
+use mintime_shared::seal::PairingKey;
 use nalgebra::{UnitQuaternion, Vector3};
+
+use crate::motion_capture::CaptureError;
+use crate::port::PortError;
 
 /// A pose as motion capture delivers it. World frame as in [`mintime_shared::frames`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,12 +64,49 @@ pub enum ConnectionError {
     /// Motion capture repeats itself.
     #[error("motion capture repeats one pose: the cameras' server has stopped tracking, restart it")]
     FrozenPose,
+    /// Motion capture on a real vehicle failed.
+    #[error(transparent)]
+    Capture(#[from] CaptureError),
+    /// The port failed.
+    #[error(transparent)]
+    Port(#[from] PortError),
+    /// No pose, but none is due: before take-off, or while the maneuver hides the vehicle from the cameras. The host says
+    /// that it is there and waits on.
+    #[error("the cameras do not see the vehicle yet")]
+    Blind,
+    /// A person pressed a key.
+    #[error("stopped by a key: the motors were switched off")]
+    Stopped,
     /// The virtual board came to a halt.
     #[error("the virtual board has stopped: {0}")]
     Board(String),
     /// The serial line failed.
     #[error("the serial line failed: {0}")]
     Line(#[from] std::io::Error),
+}
+
+/// Bytes to a vehicle and back.
+pub trait Line {
+    /// Puts bytes on the line.
+    ///
+    /// # Errors
+    /// [`ConnectionError`].
+    fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError>;
+    /// Appends what has arrived since the last call.
+    ///
+    /// # Errors
+    /// [`ConnectionError`].
+    fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError>;
+}
+
+impl<C: Connection> Line for C {
+    fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError> {
+        Connection::send(self, bytes)
+    }
+
+    fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
+        Connection::receive(self, into)
+    }
 }
 
 /// A vehicle within reach. Time passes only in [`next_pose`](Self::next_pose).
@@ -85,6 +126,10 @@ pub trait Connection {
     /// # Errors
     /// [`ConnectionError::Line`].
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError>;
+    /// The key that vehicle and host share, where they are paired.
+    fn key(&self) -> Option<PairingKey> {
+        None
+    }
     /// Told where the flight is.
     fn enter(&mut self, phase: Phase);
 }

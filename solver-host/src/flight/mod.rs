@@ -14,7 +14,7 @@ mod virtual_board;
 mod world;
 
 pub use client::{Client, ClientError};
-pub use connection::{Connection, ConnectionError, Phase, Pose};
+pub use connection::{Connection, ConnectionError, Line, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
 pub use hosted::HostedVehicle;
 pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Witness};
@@ -22,9 +22,11 @@ pub use position_control::{Reference, control};
 pub use virtual_board::{BoardReport, VirtualBoardError, VirtualVehicle};
 pub use world::{Scene, Trace};
 
+use std::time::{Duration, Instant};
+
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, STAGE_CHUNK_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
-    Request, Setpoint,
+    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, RecordChunk, RecordedTick,
+    Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint,
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
@@ -66,6 +68,10 @@ const TRIGGER_TIMEOUT_S: f64 = 0.5;
 const LANDED_HEIGHT_M: f64 = 0.02;
 /// A touch-down takes no longer than this, s.
 const LAND_TIMEOUT_S: f64 = 60.0;
+
+/// Telemetry that is on its way while the answer to `Arm` comes may tell of the state before.
+const STILL_ARMING: [FlightState; 4] =
+    [FlightState::Armed, FlightState::Tracking, FlightState::Disarmed, FlightState::Calibrating];
 
 /// How a maneuver ended.
 enum Ended {
@@ -113,6 +119,8 @@ struct Flight<'a, C, W> {
 
 /// The very same pose for this long, in the air, is not a measurement, s: cameras have noise and vehicles move.
 const FROZEN_POSE_S: f64 = 0.2;
+/// A vehicle that is left alone has switched off by then: its own recovery lasts 5 s at most.
+const RECOVERY_TIMEOUT: Duration = Duration::from_secs(7);
 /// Times an emergency stop is sent.
 const STOP_TRIES: u32 = 20;
 
@@ -126,10 +134,11 @@ pub fn fly(
     plan: &FlightPlan,
     witness: &mut impl Witness,
 ) -> Result<FlightResult, FlightError> {
+    let client = Client::with_key(connection.key());
     let mut flight = Flight {
         connection,
         witness,
-        client: Client::default(),
+        client,
         estimator: Estimator::new(),
         estimate: None,
         calmness: Calmness::Grounded,
@@ -141,8 +150,11 @@ pub fn fly(
         fresh_pose: None,
     };
     let result = flight.run(plan);
-    if result.is_err() {
-        flight.stop();
+    match &result {
+        Ok(_) => {}
+        // The vehicle can come down without the host, but not the host without seeing it.
+        Err(FlightError::Connection(ConnectionError::Capture(_))) => flight.leave_alone(),
+        Err(_) => flight.stop(),
     }
     result
 }
@@ -212,7 +224,12 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
 
     /// One pose: estimate, steer, and listen. Returns the estimate.
     fn step(&mut self) -> Result<Estimate, FlightError> {
-        let mut pose = self.connection.next_pose()?;
+        let mut pose = loop {
+            match self.connection.next_pose() {
+                Err(ConnectionError::Blind) => self.client.heartbeat(self.connection)?,
+                pose => break pose?,
+            }
+        };
         self.now_s = pose.arrived_s;
         self.check_fresh(&pose)?;
         if self.reference.is_none() && self.calmness == Calmness::Grounded {
@@ -252,6 +269,30 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             _ => self.fresh_pose = Some(*pose),
         }
         Ok(())
+    }
+
+    /// Says nothing more, so that the vehicle levels, descends and switches off by itself, and watches it do so.
+    fn leave_alone(&mut self) {
+        let since = Instant::now();
+        let mut heard = self.client.telemetry_count();
+        while since.elapsed() < RECOVERY_TIMEOUT {
+            // Time passes in here, with a pose or without.
+            let _ = self.connection.next_pose();
+            let _ = self.client.poll(self.connection, self.now_s);
+            let count = self.client.telemetry_count();
+            let Some(state) = self.client.telemetry().map(|t| t.state).filter(|_| count > heard) else {
+                continue;
+            };
+            heard = count;
+            if state == FlightState::Armed {
+                // It stands: nothing falls.
+                let _ = self.client.ask(self.connection, Request::Disarm, self.now_s);
+            } else if !state.motors_on() {
+                let text = format!("left alone, the vehicle is {} now", connection::describe(state));
+                self.witness.event(self.now_s, &text);
+                return;
+            }
+        }
     }
 
     /// Whatever went wrong: motors off. Needs no working cameras; the vehicle's own timeouts stand behind this.
@@ -368,8 +409,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
             }
             let heading_rad = HEADING_RAD;
             self.reference = Some(Reference { position_m: from + way * part, velocity_mps, heading_rad });
-            let estimate =
-                self.watch("flying", &[FlightState::Armed, FlightState::Tracking, FlightState::Disarmed])?;
+            let estimate = self.watch("flying", &STILL_ARMING)?;
             if estimate.position_m.z - from.z > LANDED_HEIGHT_M && self.calmness == Calmness::Grounded {
                 self.calmness = Calmness::Calm;
             }
@@ -435,7 +475,12 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         loop {
             self.watch(
                 "in a maneuver",
-                &[FlightState::Tracking, FlightState::Maneuver, FlightState::Recovery, FlightState::Terminated],
+                &[
+                    FlightState::Tracking,
+                    FlightState::Maneuver,
+                    FlightState::Recovery,
+                    FlightState::Terminated,
+                ],
             )?;
             let Some(t) = self.client.telemetry().copied() else { continue };
             seen |= t.state == FlightState::Maneuver;

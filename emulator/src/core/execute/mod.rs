@@ -474,7 +474,10 @@ impl Core {
         self.pc = pc;
         self.counters.instructions += executed;
         if std::mem::take(&mut self.alias_changed) {
-            slots.fill(Slot::EMPTY);
+            std::mem::swap(&mut slots, &mut self.other_slots);
+            if slots.is_empty() {
+                slots = vec![Slot::EMPTY; self.other_slots.len()].into();
+            }
         }
         self.flash_slots = slots;
         exit

@@ -4,6 +4,7 @@
 //! data before 8192 bytes of configuration are loaded and its self-check has passed, which `INTERNAL_STATUS` tells.
 //! In advanced power save, on after power-up, every write needs 450 µs before the next access.
 
+mod configuration;
 mod registers;
 mod samples;
 
@@ -16,8 +17,6 @@ use registers as reg;
 const POWER_SAVE_DELAY_NS: u64 = 450_000;
 /// Time between two writes in normal mode (ns).
 const WRITE_DELAY_NS: u64 = 2_000;
-/// From INIT_CTRL = 1 to INTERNAL_STATUS = 1 (ns) (data sheet section 4.4: at most 20 ms).
-const INIT_NS: u64 = 20_000_000;
 /// From power-up or a soft reset to the first access (ns).
 const START_UP_NS: u64 = 2_000_000;
 /// Bytes of a complete configuration.
@@ -333,44 +332,6 @@ impl Bmi270 {
         } else if address != reg::CMD {
             self.be_quiet(ns, WRITE_DELAY_NS, "within 2 µs of a write");
         }
-    }
-
-    /// INIT_CTRL: 0 opens the configuration memory, 1 closes it and starts the self-check.
-    fn write_init_ctrl(&mut self, ns: u64, byte: u8, bugs: &mut Vec<String>) {
-        let old = std::mem::replace(&mut self.registers[reg::INIT_CTRL], byte);
-        if byte & 1 == 0 {
-            self.config_bytes = 0;
-            return;
-        }
-        if old & 1 != 0 {
-            return;
-        }
-        let hash = self.config.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, &byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
-        });
-        self.uploaded = Some(Upload { bytes: self.config_bytes, hash });
-        let blank = self.config.iter().all(|&byte| byte == 0);
-        let passes = self.config_bytes == CONFIG_BYTES && !blank && !self.power_save();
-        if !passes {
-            let text = format!(
-                "BMI270: {} bytes of configuration are loaded instead of {CONFIG_BYTES}",
-                self.config_bytes
-            );
-            self.tell(TOLD_UPLOAD, text, bugs);
-        }
-        self.init_due = Some((ns + INIT_NS, passes && self.defect != Some(Defect::Configuration)));
-    }
-
-    /// Where INIT_ADDR points: it counts words of two bytes.
-    fn init_place(&self) -> usize {
-        let word = usize::from(self.registers[reg::INIT_ADDR_0] & 0xF)
-            | usize::from(self.registers[reg::INIT_ADDR_1]) << 4;
-        2 * word
-    }
-
-    /// Bytes of this transaction that went before.
-    fn config_bytes_of_burst(&self) -> usize {
-        self.position as usize - 2
     }
 
     /// Takes effect when chip select rises: it takes another such edge to leave I²C mode.
