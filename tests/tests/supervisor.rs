@@ -339,7 +339,7 @@ fn a_fault_in_any_row_breaks_a_rule() {
     // Those that differ in nothing do so for a reason: what the row adds is covered by rows above it.
     let vain = |what: &String| what.contains("other states") || what.contains("without");
     assert!(harmless.iter().all(vain), "{harmless:#?}");
-    assert!(harmless.len() <= 20 && seen > 1000, "{seen} seen, {harmless:#?}");
+    assert!(harmless.len() <= 5 && seen > 1000, "{seen} seen, {harmless:#?}");
 }
 
 /// The promises of safety alone, without the rules state by state, see every stop that is gone.
