@@ -86,7 +86,8 @@ mod tests {
         // 1046 with telemetry off: the protocol's published example is 0x82C6.
         assert_eq!(Frame::of_value(1046).bits(), 0x82C6);
         assert_eq!(Frame::STOP.bits(), 0);
-        assert_eq!(receive(Frame::throttle(0.0).bits()), Some((48, false)));
+        assert_eq!(Frame::throttle(0.0), Frame::STOP);
+        assert_eq!(receive(Frame::throttle(f32::MIN_POSITIVE).bits()), Some((48, false)));
         assert_eq!(receive(Frame::throttle(1.0).bits()), Some((2047, false)));
         assert_eq!(receive(Frame::throttle(0.5).bits()), Some((1048, false)));
     }
@@ -94,7 +95,7 @@ mod tests {
     #[test]
     fn what_is_no_throttle_saturates() {
         for (throttle, value) in
-            [(-1.0, 48), (f32::NEG_INFINITY, 48), (f32::NAN, 48), (1.5, 2047), (f32::INFINITY, 2047)]
+            [(-1.0, 0), (-0.0, 0), (f32::NEG_INFINITY, 0), (f32::NAN, 0), (1.5, 2047), (f32::INFINITY, 2047)]
         {
             assert_eq!(receive(Frame::throttle(throttle).bits()), Some((value, false)), "{throttle}");
         }
@@ -117,6 +118,10 @@ mod tests {
         fn a_throttle_arrives(throttle in 0.0_f32..=1.0) {
             let (value, telemetry) = receive(Frame::throttle(throttle).bits()).expect("the checksum holds");
             prop_assert!(!telemetry);
+            if throttle == 0.0 {
+                prop_assert_eq!(value, 0);
+                return Ok(());
+            }
             let back = f32::from(value - 48) / 1999.0;
             prop_assert!((back - throttle).abs() <= 0.501 / 1999.0, "{throttle} {back}");
         }
@@ -125,7 +130,9 @@ mod tests {
         #[test]
         fn never_a_command(throttle: f32) {
             let (value, _) = receive(Frame::throttle(throttle).bits()).expect("the checksum holds");
-            prop_assert!((48..=2047).contains(&value));
+            prop_assert!(value == 0 || (48..=2047).contains(&value));
+            // Nor does any that is no throttle turn a motor.
+            prop_assert_eq!(value == 0, !(throttle > 0.0));
         }
 
         #[test]

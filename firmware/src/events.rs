@@ -36,7 +36,7 @@ impl EventLog {
     #[inline(never)]
     pub(crate) fn chunk(&self, first: u32) -> EventChunk {
         // The ring is far shorter than 2³².
-        let oldest = (self.newest + 1).saturating_sub(self.ring.len() as u32);
+        let oldest = self.newest.saturating_add(1).saturating_sub(self.ring.len() as u32);
         let first = first.max(oldest);
         let skip = first.saturating_sub(oldest) as usize;
         let events = self.ring.iter().skip(skip).take(EVENTS_PER_CHUNK).copied().collect();

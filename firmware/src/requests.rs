@@ -251,6 +251,10 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             Request::Calibrate => self.calibrate(number),
             Request::CalibrateScale { axis, turns } => self.calibrate_scale((number, axis, turns), now_us),
+            // Another stop came with it: then it waits on, or nothing would be left to acknowledge.
+            Request::Acknowledge { .. } if self.state() == FlightState::Terminated => {
+                Err(Refusal::WrongState(FlightState::Terminated))
+            }
             Request::Acknowledge { incident } => {
                 self.events.push(now_us, Happening::Acknowledged(incident));
                 self.incident = None;
