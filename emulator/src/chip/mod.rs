@@ -8,11 +8,13 @@
 //! | `map`, `pin`, `dma_requests` | tables of the manual: addresses, gates, interrupts, pins, DMA requests |
 //! | `clock`, `events` | time: rates, nanoseconds, and what happens next |
 //! | `rcc`, `flash`, `gpio`, `exti`, `timer`, `dma`, `usart`, `spi`, `adc`, `watchdog`, `minor` | registers |
-//! | `access`, `gates` | an access to a register, whether it gets there, and what follows from it |
+//! | `access` | an access to a register, and what follows from it |
 //! | `transfer` | DMA at work |
 //! | `wiring` | pins, pulses, the board, changes of the clocks |
 //! | `happening` | what an event does |
 //! | `outside` | what the host and a test do to the chip |
+//! | `gates` | whether a block has its clock |
+//! | `factory` | what the factory wrote |
 //!
 //! An event that nobody waits for does not exist: a free-running timer costs nothing until somebody reads it.
 
