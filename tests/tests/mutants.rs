@@ -315,6 +315,23 @@ fn bits_written_behind_the_streams_back_break_a_frame() {
     bench.assert_bug("motor 1");
 }
 
+/// Everything works, only later than it should.
+#[test]
+fn caches_left_off_break_the_latency_budget() {
+    let mut bench = mutant("caches-off");
+    let result = bench.fly();
+    assert!(result.is_ok() || matches!(result, Err(FlightError::Lost { .. })), "{result:?}");
+    println!("{} ns", worst_latency_ns(&bench));
+    assert!(worst_latency_ns(&bench) > LATENCY_BUDGET_NS, "{} ns", worst_latency_ns(&bench));
+}
+
+#[test]
+fn an_access_too_early_for_the_gyro_is_a_bug() {
+    let mut bench = mutant("early-gyro-access");
+    bench.pass_ms(200);
+    bench.assert_bug("BMI270: an access comes within 450 µs of leaving advanced power save");
+}
+
 /// Whoever erases must empty the data cache behind it, as the store does.
 #[test]
 fn a_stale_cache_after_an_erase_is_a_bug() {
