@@ -12,7 +12,7 @@ use crate::{
     memory::Memory,
 };
 
-pub use image::{ImageError, flash_content, loaded, symbol_address, symbols};
+pub use image::{ImageError, flash_content, loaded, occupied, symbol_address, symbols};
 
 /// Why [`Machine::run_until`] returned.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -9,6 +9,8 @@ use sha2::{Digest, Sha256};
 const TARGET: &str = "thumbv7em-none-eabihf";
 /// The workspace's profile for the board.
 const PROFILE: &str = "firmware";
+/// Main memory, where the statics lie; the core-coupled memory, which holds the flight record, is elsewhere.
+const MAIN_MEMORY: core::ops::Range<u32> = 0x2000_0000..0x2002_0000;
 /// Package and binary.
 const PACKAGE: &str = "mintime-firmware";
 
@@ -18,6 +20,7 @@ pub struct FirmwareImage {
     elf: Vec<u8>,
     content: Vec<u8>,
     flash_bytes: usize,
+    ram_bytes: usize,
     path: PathBuf,
 }
 
@@ -78,7 +81,12 @@ impl FirmwareImage {
         let content = emulator::machine::flash_content(&elf).map_err(refuse)?;
         let flash_bytes =
             emulator::machine::loaded(&elf).map_err(refuse)?.iter().map(|(_, bytes)| bytes).sum();
-        Ok(Self { elf, content, flash_bytes, path: path.to_owned() })
+        let ram_bytes = emulator::machine::occupied(&elf)
+            .map_err(refuse)?
+            .iter()
+            .filter_map(|(address, bytes)| MAIN_MEMORY.contains(address).then_some(bytes))
+            .sum();
+        Ok(Self { elf, content, flash_bytes, ram_bytes, path: path.to_owned() })
     }
 
     /// Builds the image from the sources beside this crate, in a target folder of its own so that no other build waits for
@@ -151,6 +159,11 @@ impl FirmwareImage {
     /// Bytes of flash that it takes, without the gap in which the board keeps its store.
     pub fn flash_bytes(&self) -> usize {
         self.flash_bytes
+    }
+
+    /// Bytes of main memory that its statics take, without the stack.
+    pub fn ram_bytes(&self) -> usize {
+        self.ram_bytes
     }
 }
 

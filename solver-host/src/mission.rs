@@ -1,6 +1,6 @@
 //! From a request to a flown maneuver: solve, pack, check the room, fly, compare with truth.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use emulator::core::Timing;
@@ -205,6 +205,12 @@ impl VehicleChoice {
 pub struct EmulatedFlight {
     /// SHA-256 of the image, hexadecimal.
     pub image_sha256: String,
+    /// Where the image was read from.
+    pub image_path: PathBuf,
+    /// Bytes of flash that it takes.
+    pub flash_bytes: usize,
+    /// Bytes of main memory that its statics take.
+    pub ram_bytes: usize,
     /// Virtual time over wall time.
     pub real_time_factor: f64,
     /// Data ready to the end of the last motor frame, median, µs.
@@ -618,6 +624,9 @@ fn fly_virtual(
     };
     let emulated = EmulatedFlight {
         image_sha256: image.sha256(),
+        image_path: image.path().to_owned(),
+        flash_bytes: image.flash_bytes(),
+        ram_bytes: image.ram_bytes(),
         real_time_factor: virtual_time_s / wall_s,
         latency_us: us(|(median, _)| median),
         jitter_us: us(|(_, jitter)| jitter),

@@ -1,8 +1,8 @@
 //! Loading an ELF, and the symbols the machine looks for.
 use object::{
     Endianness,
-    elf::{FileHeader32, PT_LOAD},
-    read::elf::{FileHeader, ProgramHeader, Sym},
+    elf::{FileHeader32, PT_LOAD, SHF_ALLOC},
+    read::elf::{FileHeader, ProgramHeader, SectionHeader, Sym},
 };
 
 use super::kind;
@@ -143,6 +143,19 @@ pub fn symbols(elf: &[u8]) -> Result<Vec<(String, u32)>, ImageError> {
 /// [`ImageError`].
 pub fn loaded(elf: &[u8]) -> Result<Vec<(u32, usize)>, ImageError> {
     Ok(pieces(elf)?.into_iter().map(|(address, content)| (address, content.len())).collect())
+}
+
+/// Where the program of an image keeps what: address and length of each section that takes memory while it runs, whether it
+/// is loaded or not.
+///
+/// # Errors
+/// [`ImageError::Elf`].
+pub fn occupied(elf: &[u8]) -> Result<Vec<(u32, usize)>, ImageError> {
+    let header = FileHeader32::<Endianness>::parse(elf)?;
+    let endian = header.endian()?;
+    let sections = header.sections(endian, elf)?;
+    let taken = sections.iter().filter(|s| s.sh_flags(endian) & SHF_ALLOC != 0);
+    Ok(taken.map(|s| (s.sh_addr(endian), s.sh_size(endian) as usize)).filter(|(_, size)| *size > 0).collect())
 }
 
 /// What an image puts into flash, from the lowest address to the highest; gaps stay erased.

@@ -128,10 +128,13 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     let outcome = flown.outcome();
     ReportData {
         title: format!("Minimum-time maneuver to {}", target(&flown.prepared)),
-        subtitle: [Some(format!(
-            "T = {duration_s:.4} s; flown on the hosted vehicle, plant {}, seed {}: {outcome}",
-            mission.plant.name, mission.seed
-        ))]
+        subtitle: [Some(match flown.vehicle {
+            "real" => format!("T = {duration_s:.4} s; flown on a real vehicle: {outcome}"),
+            vehicle => format!(
+                "T = {duration_s:.4} s; flown on the {vehicle} vehicle, plant {}, seed {}: {outcome}",
+                mission.plant.name, mission.seed
+            ),
+        })]
         .into_iter()
         .chain([flown.reason()])
         .flatten()

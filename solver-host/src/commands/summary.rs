@@ -23,6 +23,9 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
         "vehicle": {
             "kind": flown.vehicle,
             "image_sha256": flown.emulated.as_ref().map(|e| &e.image_sha256),
+            "image_path": flown.emulated.as_ref().map(|e| e.image_path.display().to_string()),
+            "flash_bytes": flown.emulated.as_ref().map(|e| e.flash_bytes),
+            "ram_bytes": flown.emulated.as_ref().map(|e| e.ram_bytes),
             "firmware_version": identity.map(|i| version(i.firmware_version)),
             "protocol_version": PROTOCOL,
         },
@@ -39,6 +42,8 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
             "latency_us": flown.emulated.as_ref().map(|e| e.latency_us),
             "jitter_us": flown.emulated.as_ref().map(|e| e.jitter_us),
             "load": flown.emulated.as_ref().map(|e| e.board.load),
+            "motor_errors": flight.and_then(|r| r.board).map(|b| b.motor_errors),
+            "gyro_errors": flight.and_then(|r| r.board).map(|b| b.gyro_errors),
             "firmware_bugs": flown.emulated.as_ref().map(|e| &e.board.bugs),
         },
         "virtual_time_s": flown.virtual_time_s,
@@ -96,6 +101,10 @@ pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String
                     .map(|e| format!(", image {}", &e.image_sha256[..12]))
                     .unwrap_or_default(),
             ));
+            lines.extend(flown.emulated.as_ref().map(|e| {
+                let path = e.image_path.display();
+                format!("image      {path}: {} bytes of flash, {} of RAM", e.flash_bytes, e.ram_bytes)
+            }));
             lines.push(format!(
                 "flight     {}: {:.4} s flown, {} ticks, {} missed{}",
                 flown.outcome(),

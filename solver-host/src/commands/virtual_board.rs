@@ -114,49 +114,42 @@ impl VirtualBoard {
 mod terminal {
     //! A pseudo-terminal whose other end looks like a serial port.
 
+    use std::cell::Cell;
     use std::fs::File;
     use std::io::{ErrorKind, Read as _, Write as _};
     use std::os::unix::ffi::OsStrExt as _;
     use std::path::{Path, PathBuf};
 
-    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+    use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl, open};
+    use rustix::io::Errno;
     use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-    use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
+    use rustix::termios::{OptionalActions, QueueSelector, tcflush, tcgetattr, tcsetattr};
 
-    /// Both ends: while this one holds the other open, nothing ends when a program closes the port.
+    /// The end of this command. The other one is opened by whoever talks to the vehicle.
     pub(super) struct Port {
         master: File,
-        _held: File,
         path: PathBuf,
         link: Option<PathBuf>,
+        /// Somebody has the other end open.
+        attended: Cell<bool>,
     }
 
     impl Port {
         pub(super) fn open(link: Option<&Path>) -> Result<Self, String> {
-            let failed = |what: &str, error: &dyn std::fmt::Display| format!("{what}: {error}");
-            let no_terminal = |e: rustix::io::Errno| failed("no pseudo-terminal can be had", &e);
+            let no_terminal = |e: Errno| format!("no pseudo-terminal can be had: {e}");
             let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).map_err(no_terminal)?;
             grantpt(&master).map_err(no_terminal)?;
             unlockpt(&master).map_err(no_terminal)?;
             let name = ptsname(&master, Vec::new()).map_err(no_terminal)?;
             let path = PathBuf::from(std::ffi::OsStr::from_bytes(name.as_bytes()));
-            let held = File::options()
-                .read(true)
-                .write(true)
-                .open(&path)
-                .map_err(|e| failed(&format!("{} cannot be opened", path.display()), &e))?;
-            // Bytes as they are: no echo, no lines, no signals.
-            let mut settings = tcgetattr(&held).map_err(no_terminal)?;
-            settings.make_raw();
-            tcsetattr(&held, OptionalActions::Now, &settings).map_err(no_terminal)?;
             let flags = fcntl_getfl(&master).map_err(no_terminal)?;
             fcntl_setfl(&master, flags | OFlags::NONBLOCK).map_err(no_terminal)?;
+            clear(&path).map_err(|e| format!("{} cannot be set up: {e}", path.display()))?;
             if let Some(link) = link {
-                std::os::unix::fs::symlink(&path, link).map_err(|e| {
-                    failed(&format!("{} cannot be made: choose a name that is free", link.display()), &e)
-                })?;
+                point(link, &path)?;
             }
-            Ok(Self { master: File::from(master), _held: held, path, link: link.map(Path::to_owned) })
+            let link = link.map(Path::to_owned);
+            Ok(Self { master: File::from(master), path, link, attended: Cell::new(false) })
         }
 
         pub(super) fn path(&self) -> &Path {
@@ -166,22 +159,32 @@ mod terminal {
         /// What has arrived.
         pub(super) fn read(&self) -> std::io::Result<Vec<u8>> {
             let mut bytes = vec![0; 4096];
-            match (&self.master).read(&mut bytes) {
-                Ok(count) => {
-                    bytes.truncate(count);
-                    Ok(bytes)
-                }
-                Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
-                    Ok(Vec::new())
-                }
-                Err(e) => Err(e),
+            let count = match (&self.master).read(&mut bytes) {
+                Ok(0) => None,
+                // The other end is closed.
+                Err(e) if e.raw_os_error() == Some(Errno::IO.raw_os_error()) => None,
+                Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Some(0),
+                other => Some(other?),
+            };
+            bytes.truncate(count.unwrap_or(0));
+            if self.attended.replace(count.is_some()) && count.is_none() {
+                // Whoever comes next shall not read what was meant for the one before.
+                clear(&self.path)?;
             }
+            Ok(bytes)
         }
 
         /// As on a wire, what nobody reads is lost.
         pub(super) fn write(&self, bytes: &[u8]) -> std::io::Result<()> {
+            if !self.attended.get() {
+                return Ok(());
+            }
+            let lost = |e: &std::io::Error| {
+                matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted)
+                    || e.raw_os_error() == Some(Errno::IO.raw_os_error())
+            };
             match (&self.master).write(bytes) {
-                Err(e) if !matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Err(e),
+                Err(e) if !lost(&e) => Err(e),
                 _ => Ok(()),
             }
         }
@@ -189,10 +192,47 @@ mod terminal {
 
     impl Drop for Port {
         fn drop(&mut self) {
-            if let Some(link) = &self.link {
+            if let Some(link) = &self.link
+                && std::fs::read_link(link).is_ok_and(|to| to == self.path)
+            {
                 // Gone already is as good.
                 let _ = std::fs::remove_file(link);
             }
+        }
+    }
+
+    /// Bytes as they are (no echo, no lines, no signals), and none that wait. Opening the other end once also tells the
+    /// system that it is closed now.
+    fn clear(path: &Path) -> Result<(), Errno> {
+        let other = open(path, OFlags::RDWR | OFlags::NOCTTY, Mode::empty())?;
+        let mut settings = tcgetattr(&other)?;
+        settings.make_raw();
+        tcsetattr(&other, OptionalActions::Now, &settings)?;
+        tcflush(&other, QueueSelector::IOFlush)
+    }
+
+    /// Makes `path` known as `link`. A link that leads nowhere was left behind by a board that did not end in order.
+    fn point(link: &Path, path: &Path) -> Result<(), String> {
+        let shown = link.display();
+        let make = || std::os::unix::fs::symlink(path, link);
+        let error = match make() {
+            Ok(()) => return Ok(()),
+            Err(error) => error,
+        };
+        if error.kind() == ErrorKind::NotFound {
+            let folder = link.parent().unwrap_or(link).display();
+            return Err(format!("{shown} cannot be made: the folder {folder} does not exist"));
+        }
+        let target = std::fs::read_link(link).ok().filter(|_| error.kind() == ErrorKind::AlreadyExists);
+        match target {
+            Some(target) if target == path || !link.exists() => std::fs::remove_file(link)
+                .and_then(|()| make())
+                .map_err(|e| format!("{shown} leads nowhere and cannot be replaced: {e}")),
+            Some(target) => Err(format!(
+                "{shown} is used by another virtual board, it leads to {}: end that one, or choose another name",
+                target.display()
+            )),
+            None => Err(format!("{shown} cannot be made: {error}; choose a name that is free")),
         }
     }
 }

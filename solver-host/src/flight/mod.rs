@@ -214,7 +214,8 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
                 format!("the vehicle's recorder was full: {} of {ticks} ticks are recorded", record.len());
             self.witness.event(self.now_s, &text);
         }
-        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, ticks, missed_ticks })
+        let board = self.client.telemetry().and_then(|t| t.board);
+        Ok(FlightResult { outcome, reason, identity, flown_duration_s, record, ticks, missed_ticks, board })
     }
 
     fn enter(&mut self, phase: Phase) {

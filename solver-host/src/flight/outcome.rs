@@ -1,6 +1,6 @@
 //! What a flight is given, what it brings back, and why it may not take place.
 
-use mintime_shared::messages::{AbortReason, FlightState, Identity, RecordedTick, Refusal};
+use mintime_shared::messages::{AbortReason, BoardTelemetry, FlightState, Identity, RecordedTick, Refusal};
 use mintime_shared::table::{ManeuverTable, TableError};
 use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
@@ -106,6 +106,8 @@ pub struct FlightResult {
     pub ticks: u32,
     /// Ticks that are missing between them by the vehicle's clock.
     pub missed_ticks: u32,
+    /// What the board said of itself last; `None` where the flight logic runs on no board.
+    pub board: Option<BoardTelemetry>,
 }
 
 /// Told about the flight as it goes.
