@@ -291,8 +291,12 @@ fn kill_task(rig: &mut Rig, name: &str) {
     // bx lr
     board.memory.place(SPARE_RAM, &[0x70, 0x47]).expect("RAM");
     let words = board.memory.sram.chunks_exact(4);
-    let found: Vec<u32> =
-        (SRAM_BASE..).step_by(4).zip(words).filter(|(_, w)| **w == poll.to_le_bytes()).map(|(at, _)| at).collect();
+    let found: Vec<u32> = (SRAM_BASE..)
+        .step_by(4)
+        .zip(words)
+        .filter(|(_, w)| **w == poll.to_le_bytes())
+        .map(|(at, _)| at)
+        .collect();
     let [at] = found[..] else { panic!("{name}: {found:x?}") };
     board.memory.place(at, &(SPARE_RAM | 1).to_le_bytes()).expect("RAM");
 }
