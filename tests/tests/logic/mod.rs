@@ -29,9 +29,9 @@ pub struct Store {
     pub fails: bool,
     /// Ticks that a job takes.
     pub ticks: usize,
-    under_way: Option<(Job, usize)>,
-    finished: u32,
-    failed: bool,
+    pub under_way: Option<(Job, usize)>,
+    pub finished: u32,
+    pub failed: bool,
     /// Jobs done.
     pub jobs: usize,
 }
