@@ -86,8 +86,8 @@ impl Draw {
             22..30 => Request::Arm(if self.one_in(6) { Purpose::MotorTest } else { Purpose::Flight }),
             30..37 => Request::Trigger { checksum },
             37..44 => Request::Acknowledge { incident: if self.one_in(4) { self.bits() as u16 } else { incident } },
-            44 => Request::Disarm,
-            45 => Request::EmergencyStop,
+            44 if self.one_in(20) => Request::Disarm,
+            45 if self.one_in(20) => Request::EmergencyStop,
             46 => Request::Status,
             47 => Request::Identify,
             48 => Request::SetTelemetry { period_ms: self.below(1100) as u16 },
@@ -124,8 +124,8 @@ impl Draw {
                 throttle: self.within(0.2),
                 duration_ms: self.below(2500) as u16,
             },
-            58 => Request::Calibrate,
-            59 => Request::CalibrateScale { axis: self.below(4) as u8, turns: self.bits() as i8 },
+            58 if self.one_in(60) => Request::Calibrate,
+            59 if self.one_in(8) => Request::CalibrateScale { axis: self.below(4) as u8, turns: self.bits() as i8 },
             60 => [Request::ReadTable, Request::ListTables, Request::ReadVehicle, Request::ReadSettings, Request::Record]
                 [self.below(5) as usize]
                 .clone(),
@@ -142,6 +142,8 @@ struct World {
     now_us: u64,
     /// Ticks of quiet left: a vehicle that is shaken all the time is never armed.
     quiet: u64,
+    /// The host says nothing as long as it is quiet.
+    silent: bool,
     kill: KillSwitch,
     battery_v: Option<f32>,
     sequence: u16,
@@ -156,6 +158,7 @@ impl World {
             draw: Draw::new(seed),
             now_us: 0,
             quiet: 900,
+            silent: false,
             kill: KillSwitch::Run,
             battery_v: Some(15.5),
             sequence: 0,
@@ -168,9 +171,11 @@ impl World {
     fn input(&mut self, asked: &Setpoint) -> TickInput {
         let draw = &mut self.draw;
         let quiet = self.quiet > 0;
+        self.silent &= quiet;
         self.quiet = self.quiet.saturating_sub(1);
         if self.quiet == 0 && draw.one_in(150) {
-            self.quiet = 200 + draw.below(1200);
+            self.quiet = 200 + draw.below(2500);
+            self.silent = draw.one_in(5);
         }
         let step_us = match draw.below(if quiet { 1 << 40 } else { 4000 }) {
             0 => draw.bits() >> draw.below(64),
@@ -277,7 +282,8 @@ fn two_million_ticks_of_any_requests() {
             let input = world.input(&asked);
             let mut inbox = Inbox::new();
             let mut arms = false;
-            for _ in 0..world.draw.below(4) {
+            let requests = if world.silent { 0 } else { world.draw.below(4) };
+            for _ in 0..requests {
                 let incident = logic.incident().map_or(0, |i: Incident| i.number);
                 let request = world.draw.request(&mut world.sequence, incident);
                 let version = if world.draw.one_in(200) { world.draw.bits() as u8 } else { PROTOCOL_VERSION };
@@ -296,7 +302,7 @@ fn two_million_ticks_of_any_requests() {
                     finished,
                     failed: world.draw.one_in(8),
                 };
-                let starting = world.quiet == 0 && world.draw.one_in(50);
+                let starting = world.ticks < 200 || world.draw.one_in(500);
                 logic.set_board_status(&BoardStatus { store, ..logic::status(BOTH, starting) });
             }
             let (before, settings) = (logic.state(), *logic.settings());
@@ -340,7 +346,8 @@ fn a_million_ticks_of_any_bytes() {
         let mut settings = Settings::DEFAULT;
         while world.ticks < TICKS_EACH {
             let input = world.input(&asked);
-            for _ in 0..world.draw.below(4) {
+            let requests = if world.silent { 0 } else { world.draw.below(4) };
+            for _ in 0..requests {
                 let incident = vehicle.incident().map_or(0, |i| i.number);
                 let request = world.draw.request(&mut world.sequence, incident);
                 if let Request::WriteSettings(wanted) = request
