@@ -74,7 +74,8 @@ impl Link {
                             self.last_counter = counter;
                             parse(content).ok()
                         }
-                        None => parse::<Uplink>(content).ok().filter(|uplink| {
+                        // Without a seal, or with one that is old or another's: whoever sent it is told.
+                        None => unsealed(content).filter(|uplink| {
                             let harmless = uplink.request == Request::Identify;
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);
@@ -119,6 +120,12 @@ impl Link {
         }
         written
     }
+}
+
+/// The request in a content whose seal does not hold, or that has none.
+fn unsealed(content: &[u8]) -> Option<Uplink> {
+    let bare = || content.split_last_chunk::<{ seal::SEAL_BYTES }>().map(|(content, _)| content);
+    parse(content).ok().or_else(|| parse(bare()?).ok())
 }
 
 /// Puts a request into the inbox; whether nothing was lost by it.

@@ -210,7 +210,7 @@ fn reply() -> impl Strategy<Value = Reply> {
                 rate_max_radps,
             })
         }),
-        telemetry().prop_map(Reply::Status),
+        telemetry().boxed().prop_map(Reply::Status).boxed(),
         any::<u16>().prop_map(|length| Reply::Staged { length }),
         (any::<u32>(), float()).prop_map(|(checksum, duration_s)| Reply::Committed { checksum, duration_s }),
         (any::<u32>(), any::<u32>(), events).prop_map(|(first, newest, events)| {
@@ -227,10 +227,10 @@ fn reply() -> impl Strategy<Value = Reply> {
 
 fn downlink() -> impl Strategy<Value = Downlink> {
     let message = prop_oneof![
-        (any::<u16>(), reply()).prop_map(|(number, reply)| Message::Reply { number, reply }),
-        telemetry().prop_map(Message::Telemetry),
+        (any::<u16>(), reply().boxed()).prop_map(|(number, reply)| Message::Reply { number, reply }),
+        telemetry().boxed().prop_map(Message::Telemetry).boxed(),
     ];
-    (any::<u8>(), message).prop_map(|(version, message)| Downlink { version, message })
+    (any::<u8>(), message.boxed()).prop_map(|(version, message)| Downlink { version, message }).boxed()
 }
 
 /// What happens to one byte on the way.

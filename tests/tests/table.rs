@@ -8,7 +8,7 @@ use mintime_shared::model::{Inputs, Limits, LimitsError, RateMode, Segment, Stat
 use mintime_shared::motion::{Arc, advance, bang, singular};
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
 use mintime_shared::table::{
-    ANY_VEHICLE, ArcProfile, Kind, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits, SCHEMA_HASH,
+    ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits, SCHEMA_HASH,
     TableError, TableHeader,
 };
 use mintime_tests::{ReferenceCase, reference_cases};
@@ -236,7 +236,8 @@ proptest! {
         }
         let arcs = Some(ArcProfile { width_s, peak_s: before + part * duration });
         let mut header = TableHeader {
-            vehicle: ANY_VEHICLE, kind: Kind::Learned, limits, heading_rad: 0.0,
+            vehicle: ANY_VEHICLE, kind: Kind::Learned, link: LinkPolicy::Finish,
+            limits, heading_rad: 0.0,
             start: State::origin(), end: State::origin(),
         };
         // A turn too sharp for arithmetic leads nowhere.
@@ -308,8 +309,9 @@ fn every_reference_case_survives_the_wire() {
 #[test]
 fn five_five_fits_128_bytes_on_the_wire() {
     let bytes = heapless::Vec::from_slice(&bytes_of(&five_five())).expect("it fits");
-    assert_eq!(bytes.len(), 113);
-    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request: Request::StageTable(bytes) };
+    assert_eq!(bytes.len(), 114);
+    let request = Request::Stage { total: 114, offset: 0, bytes };
+    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request };
     let frame = encode(&uplink).expect("it fits a frame");
     assert!(frame.as_bytes().len() <= 128, "{} bytes", frame.as_bytes().len());
 }
