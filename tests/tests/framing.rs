@@ -477,7 +477,7 @@ fn the_largest_messages_fit() {
     };
     // What the protocol's description says.
     let status = Message::Reply { number: u16::MAX, reply: Reply::Status(telemetry) };
-    assert_eq!(frame_of(&Downlink { version: PROTOCOL_VERSION, message: status }).len(), 144);
+    assert_eq!(frame_of(&Downlink { version: PROTOCOL_VERSION, message: status }).len(), 184);
 
     let chunk = RecordChunk {
         first: u32::MAX,
@@ -558,9 +558,9 @@ fn the_bytes_on_the_line_are_these() {
     assert_eq!(PROTOCOL_VERSION, 3);
     let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
-    assert_eq!(up(1, Request::Identify), "030201053d3cdee500");
-    assert_eq!(up(300, Request::Setpoint { sequence: 7, setpoint }), "0502ac02080103803f010102c001010a3fc3f51c415050147200");
-    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e02ad0209f8acd191017fe7c8a500");
+    assert_eq!(up(1, Request::Identify), "030301050a561ce400");
+    assert_eq!(up(300, Request::Setpoint { sequence: 7, setpoint }), "0603ac0216070103803f010102c001010a3fc3f51c41ecd74fe400");
+    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e03ad0217f8acd19101d7906f8b00");
     let telemetry = Telemetry {
         time_us: 1_000_000,
         state: FlightState::Tracking,
@@ -589,10 +589,10 @@ fn the_bytes_on_the_line_are_these() {
     let down = |message| hex(&frame_of(&Downlink { version: PROTOCOL_VERSION, message }));
     assert_eq!(
         down(Message::Telemetry(telemetry)),
-        "0f0201c0843d02100101effdb6f50d0107c03f01e90804010374410103803e010102bf010c803fa0060102940a03e908056e2011e700"
+        "130301c0843d0410010301020803effdb6f50d0107c03f01e90804010374410103803e010102bf0103803f0101010101010101010e803fa0060102940a0304e9081105c12d984900"
     );
     let refused = Reply::Refused(Refusal::Table(TableError::Limits(LimitsError::CannotLift)));
-    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02020bad020704050651488ff600");
+    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02030bad020c040506cecf24ed00");
 }
 
 /// Every refusal says something a person can act on, in one line.
