@@ -16,7 +16,7 @@ use mintime_shared::messages::{
     AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause,
     KillSwitch, Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
-use mintime_shared::real::at_most;
+use mintime_shared::real::{at_least, at_most};
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
@@ -24,8 +24,8 @@ use mintime_shared::settings::Settings;
 use crate::attitude::{AttitudeEstimate, Motion};
 use crate::calibration::ScaleCalibration;
 use crate::config::{
-    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus,
-    VehicleConfig,
+    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, SATURATED_LIFT,
+    StoreStatus, VehicleConfig,
 };
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
@@ -482,9 +482,20 @@ impl<M: RecordMemory> FlightLogic<M> {
             follow_angle: self.state() == FlightState::Maneuver,
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
-        let mixed = mix(&self.config, &demand);
+        let mixed = match self.thrust_cap_mps2() {
+            None => mix(&self.config, &demand),
+            // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
+            Some(cap_mps2) => {
+                let share_n = cap_mps2 * self.config.mass_kg / MOTOR_COUNT as f32;
+                let rotor_thrust_max_n = at_least(share_n, self.config.rotor_thrust_idle_n);
+                mix(&VehicleConfig { rotor_thrust_max_n, ..self.config }, &demand)
+            }
+        };
         self.rate.limited(&mixed.saturation);
-        let saturated = mixed.saturation.thrust || mixed.saturation.axes.contains(&true);
+        // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
+        // leaves yaw behind is part of a healthy flight.
+        let [roll, pitch, _] = mixed.saturation.axes;
+        let saturated = roll || pitch || mixed.saturation.achieved_mps2 < SATURATED_LIFT * thrust_mps2;
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
         let throttle = self.drive.throttles(&self.config, mixed.thrusts_n, self.drive_v, dt_s);
         self.commanded = setpoint;

@@ -3,6 +3,8 @@
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
+use std::sync::LazyLock;
+
 use mintime_firmware::config::{BoardStatus, Capabilities, RATE_RESPONSE_S, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use mintime_firmware::gyro::ImuSample;
@@ -29,9 +31,9 @@ pub struct Store {
     pub fails: bool,
     /// Ticks that a job takes.
     pub ticks: usize,
-    under_way: Option<(Job, usize)>,
-    finished: u32,
-    failed: bool,
+    pub under_way: Option<(Job, usize)>,
+    pub finished: u32,
+    pub failed: bool,
     /// Jobs done.
     pub jobs: usize,
 }
@@ -399,7 +401,9 @@ pub fn table_of(name: &str) -> ManeuverTable {
 }
 
 pub fn table() -> ManeuverTable {
-    table_of("general_5_5")
+    // Read once: a million ticks ask for it.
+    static TABLE: LazyLock<ManeuverTable> = LazyLock::new(|| table_of("general_5_5"));
+    TABLE.clone()
 }
 
 pub fn bytes_of(table: &ManeuverTable) -> heapless::Vec<u8, MAX_TABLE_BYTES> {
