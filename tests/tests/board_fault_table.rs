@@ -9,6 +9,7 @@ mod bench;
 mod fault_rows;
 
 use fault_rows::{Fault, Phase, Row};
+use mintime_firmware::supervisor::{Conditions, States, TRANSITIONS, Transition};
 use mintime_shared::messages::FlightState;
 
 /// Declares the rows and a test for each. `off` is when the motors stand, `told` what is said.
@@ -145,6 +146,41 @@ fn the_document_says_what_the_tests_check() {
         "docs/safety.md says otherwise than the tests.\ntake out:\n{stale:#?}\nput in:\n{missing:#?}"
     );
     assert_eq!(lines, rows, "the same rows, in another order");
+}
+
+/// The document's table of transitions is the supervisor's.
+#[test]
+fn the_document_tells_the_supervisors_transitions() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/safety.md");
+    let document = std::fs::read_to_string(path).expect("the document");
+    let head = "| # | from | when | unless | to | reported |";
+    let (_, table) = document.split_once(head).unwrap_or_else(|| panic!("{path} has no table `{head}`"));
+    let lines: Vec<&str> = table.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    let rows: Vec<String> = TRANSITIONS.iter().zip(1..).map(|(row, number)| transition_line(number, row)).collect();
+    assert_eq!(lines, rows, "put in:\n{}", rows.join("\n"));
+}
+
+fn transition_line(number: usize, row: &Transition) -> String {
+    let conditions = |set: Conditions| {
+        set.iter_names().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    };
+    let states = |set: States| {
+        let all = FlightState::ALL.into_iter().filter(|state| set.contains(States::from(*state)));
+        all.map(|state| format!("`{state:?}`")).collect::<Vec<_>>().join(", ")
+    };
+    let from = if row.from == States::all().difference(States::TERMINATED) {
+        "all but `Terminated`".to_owned()
+    } else if row.from.contains(States::MOTORS_ON) {
+        let others = states(row.from.difference(States::MOTORS_ON));
+        if others.is_empty() { "motors on".to_owned() } else { format!("motors on, {others}") }
+    } else {
+        states(row.from)
+    };
+    let reason = row.reason.map_or(String::new(), |reason| format!("`{reason:?}`"));
+    let cells =
+        [number.to_string(), from, conditions(row.when), conditions(row.unless), format!("`{:?}`", row.to), reason];
+    let cells = cells.map(|cell| if cell.is_empty() { " ".to_owned() } else { format!(" {cell} ") });
+    format!("|{}|", cells.join("|"))
 }
 
 /// No fault is declared twice for one phase: only the first would be tried.

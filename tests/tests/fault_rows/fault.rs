@@ -3,7 +3,6 @@
 use emulator::bus::Peripherals;
 use emulator::chip::Pin;
 use emulator::devices::{CrsfDefect, Defect};
-use emulator::memory::SRAM_BASE;
 use mintime_shared::messages::{Reply, Request};
 use mintime_shared::settings::Settings;
 use mintime_shared::vehicle::VehicleConfig;
@@ -20,6 +19,8 @@ const NOWHERE: u32 = 0x3000_0000;
 const DATA_READY: Pin = Pin::new('C', 4);
 /// Where the firmware is made to panic.
 const PANIC_LINE: u32 = 77;
+/// A task begins with at most this many bytes of what the executor knows of it, where its code is among them.
+const TASK_HEADER_BYTES: u32 = 64;
 /// What breaks in the simulated world heals after this long.
 const WINDOW_MS: u64 = 400;
 
@@ -180,8 +181,8 @@ impl Fault {
                 lose_tick(rig);
                 return rig.vehicle.now_ns();
             }
-            Self::SupervisionDead => kill_task(rig, "supervision"),
-            Self::LinkTaskDead => kill_task(rig, "transmit"),
+            Self::SupervisionDead => kill_task(rig, "5board11supervision3run"),
+            Self::LinkTaskDead => kill_task(rig, "5board4link8transmit"),
             // b .
             Self::TasksHang => run_instead(rig.board(), &[], &[0xE7FE]),
             // push {r0-r7, lr}; b back
@@ -286,14 +287,15 @@ fn lose_tick(rig: &mut Rig) {
 
 /// One word of RAM lost: a task's code is not found any more, and it never runs again.
 fn kill_task(rig: &mut Rig, name: &str) {
-    let poll = rig.symbol(&["TaskStorage", "poll", name]) | 1;
+    let codes = rig.symbols_with(&["TaskStorage", "4poll"]);
+    let task = rig.symbol(&[name, "4POOL"]);
     let board = rig.board();
     // bx lr
     board.memory.place(SPARE_RAM, &[0x70, 0x47]).expect("RAM");
-    let words = board.memory.sram.chunks_exact(4);
-    let found: Vec<u32> =
-        (SRAM_BASE..).step_by(4).zip(words).filter(|(_, w)| **w == poll.to_le_bytes()).map(|(at, _)| at).collect();
-    let [at] = found[..] else { panic!("{name}: {found:x?}") };
+    let words = board.memory.peek(task, TASK_HEADER_BYTES).expect("RAM").as_chunks().0.iter();
+    let is_code = |word: &[u8; 4]| codes.contains(&(u32::from_le_bytes(*word) & !1));
+    let places: Vec<u32> = (task..).step_by(4).zip(words).filter(|(_, w)| is_code(w)).map(|(at, _)| at).collect();
+    let [at] = places[..] else { panic!("{name}: {places:x?}") };
     board.memory.place(at, &(SPARE_RAM | 1).to_le_bytes()).expect("RAM");
 }
 

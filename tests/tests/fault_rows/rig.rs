@@ -270,6 +270,12 @@ impl Rig {
         }
     }
 
+    /// Addresses of all symbols whose mangled names have all of these parts.
+    pub(crate) fn symbols_with(&self, parts: &[&str]) -> Vec<u32> {
+        let found = self.symbols.iter().filter(|(name, _)| parts.iter().all(|part| name.contains(part)));
+        found.map(|(_, address)| *address & !1).collect()
+    }
+
     /// The state that the last tick ended in.
     pub(crate) fn state(&self) -> FlightState {
         self.vehicle.states().last().map_or(FlightState::Boot, |(_, state)| *state)
