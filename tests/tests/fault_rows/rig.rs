@@ -103,11 +103,11 @@ impl Line for Wire<'_> {
             }
             _ => {}
         }
-        self.vehicle.send(&bytes)
+        Connection::send(self.vehicle, &bytes)
     }
 
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
-        self.vehicle.receive(into)
+        Connection::receive(self.vehicle, into)
     }
 }
 
