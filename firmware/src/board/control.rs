@@ -116,6 +116,8 @@ pub(super) fn start(
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
     });
+    // Before the first tick, or the flight logic would take the board for one that has started.
+    control.publish();
     control.arm_timer();
     HANDLE.lock(|handle| handle.set(Some(control)));
     // SAFETY: the handlers have what they need; nothing relies on these interrupts being masked.
