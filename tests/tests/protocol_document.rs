@@ -4,10 +4,10 @@
 use heapless::Vec as Few;
 use mintime_shared::framing::Frame;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event, EventChunk,
-    FlightState, GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch, MAX_CHUNK_BYTES, Message,
-    PROTOCOL_VERSION, Purpose, RecordChunk, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint,
-    StoredTable, TableName, Telemetry, Uplink, record_flags,
+    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event,
+    EventChunk, FlightState, GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch,
+    MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION, Purpose, RecordChunk, RecordedTick, Refusal, Reply, Request,
+    STAGE_CHUNK_BYTES, Setpoint, StoredTable, TableName, Telemetry, Uplink, record_flags,
 };
 use mintime_shared::model::LimitsError;
 use mintime_shared::seal::{PairingKey, seal};
@@ -44,7 +44,9 @@ fn example(name: &str) -> String {
     let (_, rest) = DOCUMENT.split_once(&marker).unwrap_or_else(|| panic!("no example {name}"));
     let is_hex = |word: &str, digits| word.len() == digits && u32::from_str_radix(word, 16).is_ok();
     let mut bytes = Vec::new();
-    for line in rest.lines().skip_while(|line| !line.starts_with("    ")).take_while(|l| l.starts_with("    ")) {
+    for line in
+        rest.lines().skip_while(|line| !line.starts_with("    ")).take_while(|l| l.starts_with("    "))
+    {
         let offset = line.split_whitespace().next().is_some_and(|word| is_hex(word, 4));
         bytes.extend(line.split_whitespace().skip(usize::from(offset)).take_while(|word| is_hex(word, 2)));
     }
@@ -502,7 +504,8 @@ fn every_parameter_is_described() {
     let telemetry = serde_json::to_value(fullest_telemetry()).expect("JSON");
     let text = section("### Telemetry");
     for name in names(&telemetry).into_iter().chain(names(&telemetry["board"])) {
-        let described = text.contains(&format!("`{name}`")) || section("### Board").contains(&format!("`{name}`"));
+        let described =
+            text.contains(&format!("`{name}`")) || section("### Board").contains(&format!("`{name}`"));
         assert!(described, "docs/protocol.md does not describe {name}");
     }
 }
@@ -517,5 +520,8 @@ fn the_vehicle_file_of_the_documents_is_taken() {
     let said = format!("hash {:08X}", vehicle.hash());
     let vehicles = include_str!("../../docs/vehicles.md");
     assert!(vehicles.contains(&said), "docs/vehicles.md does not say: {said}");
-    assert!(vehicles.contains(text.trim()), "docs/vehicles.md shows another file than docs/vehicles/agilicious.json");
+    assert!(
+        vehicles.contains(text.trim()),
+        "docs/vehicles.md shows another file than docs/vehicles/agilicious.json"
+    );
 }
