@@ -1,12 +1,15 @@
 //! What a program logs: defmt frames where its image says so, plain text otherwise.
 #[cfg(feature = "defmt")]
+use std::sync::Arc;
+
+#[cfg(feature = "defmt")]
 use defmt_decoder::{DecodeError, Encoding, Frame, Table};
 
 /// Turns the bytes of [`read_rtt`](crate::Machine::read_rtt) into lines.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Log {
     #[cfg(feature = "defmt")]
-    table: Option<Table>,
+    table: Option<Arc<Table>>,
     /// Bytes of a frame that has not ended yet.
     #[cfg(feature = "defmt")]
     pending: Vec<u8>,
@@ -17,7 +20,7 @@ impl Log {
     /// taken to log text.
     #[cfg(feature = "defmt")]
     pub fn new(elf: &[u8]) -> Self {
-        Self { table: Table::parse(elf).ok().flatten(), pending: Vec::new() }
+        Self { table: Table::parse(elf).ok().flatten().map(Arc::new), pending: Vec::new() }
     }
 
     /// A log of text, whatever the program: the feature `defmt` is off.

@@ -61,8 +61,8 @@ pub enum Stop {
     },
 }
 
-/// Core, memories and peripherals.
-#[derive(Debug)]
+/// Core, memories and peripherals. A clone goes on by itself from the same instant.
+#[derive(Clone, Debug)]
 pub struct Machine<P> {
     /// The processor.
     pub core: Core,

@@ -8,7 +8,7 @@ use mintime_firmware::config::VehicleConfig;
 use mintime_shared::messages::PROTOCOL_VERSION;
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
+use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable, TableError};
 use mintime_simulator::{Model, ParameterError, SimulatorError, Truth, VehicleParameters};
 use nalgebra::Vector3;
 
@@ -320,6 +320,20 @@ pub struct Prepared {
     pub extent: Extent,
 }
 
+impl Prepared {
+    /// What the vehicle shall do where the link is lost on the way.
+    ///
+    /// # Errors
+    /// None that a prepared table can have.
+    pub fn set_link_policy(&mut self, link: LinkPolicy) -> Result<(), TableError> {
+        self.table.link = link;
+        let mut buffer = [0; MAX_TABLE_BYTES];
+        let length = self.table.encode(&mut buffer)?;
+        self.bytes = buffer[..length].to_vec();
+        Ok(())
+    }
+}
+
 /// A flown mission.
 #[derive(Debug)]
 pub struct Flown {
@@ -592,10 +606,19 @@ fn fly_virtual(
         let clock = Instant::now();
         let flight = fly(&mut vehicle, plan, witness);
         let wall_s = clock.elapsed().as_secs_f64();
-        (flight, wall_s, twin.and_then(|twin| twin.join().ok()).unwrap_or_default())
+        // A twin that panicked is a defect, and no reason to print less.
+        let optimistic =
+            twin.map(|twin| twin.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        (flight, wall_s, optimistic.unwrap_or_default())
     });
     let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
-    let board = vehicle.report();
+    let mut board = vehicle.report();
+    // What goes wrong only where the processor is fast is as wrong.
+    for bug in &optimistic.bugs {
+        if !board.bugs.contains(bug) {
+            board.bugs.push(bug.clone());
+        }
+    }
     let us = |pick: fn((u32, u32)) -> u32| {
         [&optimistic, &board].map(|r| r.latency_ns.map_or(f64::NAN, |l| f64::from(pick(l)) * 1e-3))
     };

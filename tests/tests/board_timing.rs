@@ -14,8 +14,11 @@ use mintime::flight::{
 use mintime::mission::{PlantChoice, Source, prepare};
 use mintime::solver::Turns;
 use mintime_shared::framing::{Decoder, encode};
-use mintime_shared::messages::{BoardTelemetry, Downlink, Message, PROTOCOL_VERSION, Reply, Request, Uplink};
+use mintime_shared::messages::{
+    BoardTelemetry, Downlink, Message, PROTOCOL_VERSION, Reply, Request, STAGE_CHUNK_BYTES, Uplink,
+};
 use mintime_shared::model::{Limits, State};
+use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
 /// Time that one byte takes on the line, ns.
@@ -79,7 +82,8 @@ impl Busy {
             0 => frame(FILLING, Request::Status),
             2 => frame(FILLING, Request::ReadTable),
             4 => {
-                let request = Request::StageTable(heapless::Vec::from_slice(&[0x55; 200]).expect("it fits"));
+                let bytes = heapless::Vec::from_slice(&[0x55; STAGE_CHUNK_BYTES]).expect("it fits");
+                let request = Request::Stage { total: 200, offset: 0, bytes };
                 let foreign = Uplink { version: PROTOCOL_VERSION ^ 1, number: FILLING, request };
                 encode(&foreign).expect("it fits").as_bytes().to_vec()
             }

@@ -128,7 +128,7 @@ fn what_the_image_computed_is_what_the_library_computes_bit_for_bit() {
     assert_eq!(ticks[0].ticks, 1);
     let record = vec![[0_u8; RECORD_BYTES]; 3200];
     let nothing = Capabilities { gyro: false, motors: false };
-    let mut vehicle = Vehicle::new(VehicleConfig::REFERENCE, nothing, record);
+    let mut vehicle = Vehicle::new(None, nothing, record);
     let mut maneuver_ticks = 0;
     for watch in &ticks {
         let got = vehicle.tick(&watch.input());
@@ -154,6 +154,7 @@ fn what_the_image_computed_is_what_the_library_computes_bit_for_bit() {
             capabilities: Capabilities { gyro: has(flags::CAN_MEASURE), motors: has(flags::CAN_DRIVE) },
             starting: has(flags::STARTING),
             telemetry: BoardTelemetry::default(),
+            store: watch.store(),
         });
         let mut out = vec![0; watch.room as usize];
         vehicle.transmit(&mut out);

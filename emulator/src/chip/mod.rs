@@ -13,6 +13,8 @@
 //! | `wiring` | pins, pulses, the board, changes of the clocks |
 //! | `happening` | what an event does |
 //! | `outside` | what the host and a test do to the chip |
+//! | `gates` | whether a block has its clock |
+//! | `factory` | what the factory wrote |
 //!
 //! An event that nobody waits for does not exist: a free-running timer costs nothing until somebody reads it.
 

@@ -52,6 +52,8 @@ pub struct DshotEsc {
     pub frames: u64,
     /// Frames with a wrong checksum, cut short or run together.
     pub bad_frames: u64,
+    /// Its signal wire is torn off: nothing arrives.
+    pub torn_off: bool,
     /// Rate of the last bit pair measured [bit/s]; 0 before the first.
     pub rate: f64,
     /// Commands seen, oldest first; the first thousand.
@@ -86,6 +88,7 @@ impl DshotEsc {
             timeout_ns: 100_000_000,
             frames: 0,
             bad_frames: 0,
+            torn_off: false,
             rate: 0.0,
             commands: Vec::new(),
             name: name.into(),
@@ -124,6 +127,9 @@ impl DshotEsc {
 
     /// A pulse on the line. The answer is the frame that it completes.
     pub fn pulse(&mut self, pulse: Pulse, bugs: &mut Vec<String>) -> Option<FrameEnd> {
+        if self.torn_off {
+            return None;
+        }
         if pulse.cut {
             // Whoever stops the timer in a frame means to; what there is of the frame is void.
             self.bad_frames += u64::from(self.count != BITS);

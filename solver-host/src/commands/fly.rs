@@ -10,6 +10,7 @@ use mintime::flight_log::{check_writable, write_mcap};
 use mintime::mission::{self, Flown, Mission, PlantChoice, Prepared, Room, Source, VehicleChoice};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
+use mintime_shared::table::LinkPolicy;
 
 use super::limits::PlanArguments;
 use super::live::LiveArguments;
@@ -60,6 +61,10 @@ pub(crate) struct Fly {
     /// fit. Four numbers are along the maneuver's plane and up, six along the vehicle's nose, to its left and up
     #[arg(long, value_name = "XMIN,XMAX[,YMIN,YMAX],ZMIN,ZMAX", value_parser = numbers::room, allow_hyphen_values = true)]
     room: Option<Room>,
+    /// What the vehicle does where the link is lost in the maneuver: fly it to its end, or level at once and sink. A table
+    /// from a file keeps what it says
+    #[arg(long, value_enum, default_value_t = OnLinkLoss::Finish)]
+    on_link_loss: OnLinkLoss,
     /// Where to write the flight log (MCAP; opens in Foxglove)
     #[arg(long, value_name = "FILE.mcap", default_value = "flight.mcap")]
     log: PathBuf,
@@ -72,6 +77,13 @@ pub(crate) struct Fly {
     /// Print JSON instead of text
     #[arg(long)]
     json: bool,
+}
+
+/// What becomes of a maneuver whose host falls silent.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum OnLinkLoss {
+    Finish,
+    Abandon,
 }
 
 /// What can fly.
@@ -142,7 +154,8 @@ impl Fly {
             return Err("--mocap is for a real vehicle: name its port with --vehicle PORT".into());
         }
         progress.say("computing the maneuver");
-        let prepared = mission::prepare(&mission.source, mission.room.as_ref())?;
+        let mut prepared = mission::prepare(&mission.source, mission.room.as_ref())?;
+        self.set_link_policy(&mut prepared)?;
         self.save(&prepared)?;
         let vehicle = self.vehicle(progress)?;
         Ok(mission::fly_mission(mission, prepared, &vehicle, progress)?)
@@ -158,9 +171,20 @@ impl Fly {
             return Err("a real vehicle has its firmware already: leave out --firmware".into());
         }
         progress.say("asking the vehicle what it is, computing the maneuver");
-        let live = self.live.prepare(port, mission)?;
+        let mut live = self.live.prepare(port, mission)?;
+        self.set_link_policy(live.prepared_mut())?;
         self.save(live.prepared())?;
         self.live.fly(live, progress)
+    }
+
+    fn set_link_policy(&self, prepared: &mut Prepared) -> Result<(), Box<dyn Error>> {
+        if self.table.is_none() {
+            prepared.set_link_policy(match self.on_link_loss {
+                OnLinkLoss::Finish => LinkPolicy::Finish,
+                OnLinkLoss::Abandon => LinkPolicy::Abandon,
+            })?;
+        }
+        Ok(())
     }
 
     fn save(&self, prepared: &Prepared) -> Result<(), Box<dyn Error>> {

@@ -45,6 +45,10 @@ impl Live {
     pub(crate) fn prepared(&self) -> &Prepared {
         &self.prepared
     }
+
+    pub(crate) fn prepared_mut(&mut self) -> &mut Prepared {
+        &mut self.prepared
+    }
 }
 
 impl LiveArguments {

@@ -50,7 +50,7 @@ pub enum ClientError {
 }
 
 /// A request under way.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Pending {
     number: u16,
     request: Request,
@@ -65,7 +65,7 @@ struct Pending {
 }
 
 /// Keeps requests, answers and telemetry in order.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Client {
     decoder: Decoder,
     received: Vec<u8>,

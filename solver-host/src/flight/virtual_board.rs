@@ -87,6 +87,8 @@ pub struct VirtualVehicle {
     last_bit: f64,
     /// The firmware has cleared its memory, so that what it notes means something.
     booted: bool,
+    /// States that ticks ended in, where they changed, with when, ns.
+    states: Vec<(u64, FlightState)>,
 }
 
 impl std::fmt::Debug for VirtualVehicle {
@@ -123,7 +125,37 @@ impl VirtualVehicle {
             noiseless: is_planning_model(scene.parameters),
             last_bit: 0.0,
             booted: false,
+            states: Vec::new(),
         })
+    }
+
+    /// A copy that goes on by itself from this instant. Observers stay with the original.
+    #[must_use]
+    pub fn fork(&self) -> Self {
+        Self {
+            world: self.world.clone(),
+            machine: self.machine.clone(),
+            watch_at: self.watch_at,
+            watch: self.watch,
+            sample: self.sample,
+            throttle: self.throttle,
+            observer: None,
+            motor_observer: None,
+            flown_ticks: self.flown_ticks,
+            counters_at_start: self.counters_at_start,
+            decoder: self.decoder.clone(),
+            log: self.log.clone(),
+            noiseless: self.noiseless,
+            last_bit: self.last_bit,
+            booted: self.booted,
+            states: self.states.clone(),
+        }
+    }
+
+    /// States that the firmware's ticks ended in, where they changed, each with the time at which that was seen, ns: up to
+    /// 0.2 ms later than it happened.
+    pub fn states(&self) -> &[(u64, FlightState)] {
+        &self.states
     }
 
     /// The person at the kill switch throws it, or lets go of it again.
@@ -251,6 +283,9 @@ impl VirtualVehicle {
             self.log.extend(lines.lines().map(|line| (now_ns, line.to_owned())));
         }
         let state = FlightState::from_index(self.watch.state).unwrap_or_default();
+        if self.watch.ticks != before && self.states.last().is_none_or(|(_, last)| *last != state) {
+            self.states.push((now_ns, state));
+        }
         let setpoint = self.watch.output().setpoint;
         let updates: Vec<MotorUpdate> = self.machine.peripherals.board_mut().drain_motor_updates().collect();
         for update in updates {

@@ -56,7 +56,7 @@ pub(super) struct Tick<'a> {
 }
 
 /// Airframe, cameras and log.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct World {
     pub(super) simulator: Simulator,
     heading_rad: f64,

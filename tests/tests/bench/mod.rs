@@ -17,6 +17,7 @@ use mintime::flight::{
 };
 use mintime_shared::messages::{AbortReason, ArmingBlock, FlightState, Refusal, Reply, Request, Telemetry};
 use mintime_shared::table::ManeuverTable;
+use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::VehicleParameters;
 use mintime_tests::reference_cases;
 use nalgebra::Vector3;

@@ -46,6 +46,14 @@ pub enum Defect {
     StuckRegister(u8),
     /// It reports this error of its own in ERR_REG.
     Error(u8),
+    /// Its line to the chip is held low.
+    StuckLow,
+    /// One read of its data in so many finds nobody, a loose contact.
+    Loose(u32),
+    /// The gyro's axis by index, 0 to 2, has the wrong sign.
+    ReversedAxis(u8),
+    /// The gyro's axis by index is at the end of its range.
+    Railed(u8),
 }
 
 /// The sensor.
@@ -76,6 +84,8 @@ pub struct Bmi270 {
     int_asserted: bool,
     started_ns: u64,
     reset_asked: bool,
+    /// Times that it was selected.
+    selections: u32,
 }
 
 /// Mistakes, each told once.
@@ -114,6 +124,7 @@ impl Bmi270 {
             int_asserted: false,
             started_ns: 0,
             reset_asked: false,
+            selections: 0,
         }
     }
 
@@ -146,6 +157,7 @@ impl Bmi270 {
         self.selected = selected;
         if selected {
             self.position = 0;
+            self.selections = self.selections.wrapping_add(1);
             if ns < self.quiet_until_ns {
                 let text = format!("BMI270: an access comes {}", self.quiet_why);
                 self.tell(TOLD_QUIET, text, bugs);
@@ -160,8 +172,14 @@ impl Bmi270 {
 
     /// A byte on the bus at `ns`; the answer is what the sensor sent meanwhile.
     pub fn exchange(&mut self, ns: u64, word: SpiWord, bugs: &mut Vec<String>) -> u16 {
-        if !self.selected || self.defect == Some(Defect::Absent) {
+        if !self.selected {
             return 0xFFFF;
+        }
+        match self.defect {
+            Some(Defect::Absent) => return 0xFFFF,
+            Some(Defect::Loose(reads)) if self.selections.is_multiple_of(reads.max(1)) => return 0xFFFF,
+            Some(Defect::StuckLow) => return 0,
+            _ => {}
         }
         if word.clock_hz > SPI_LIMIT_HZ {
             let text = format!("BMI270: SPI runs at {} Hz, above its limit of 10 MHz", word.clock_hz);

@@ -1,6 +1,6 @@
 //! From motion to the data registers of the BMI270.
 
-use super::{Bmi270, TOLD_RATE, registers as reg};
+use super::{Bmi270, Defect, TOLD_RATE, registers as reg};
 
 /// Standard gravity (m/s²).
 const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -63,7 +63,11 @@ impl Bmi270 {
             // 2000, 1000, 500, 250, 125 dps full scale.
             let range_dps = 2000.0 / f64::from(1_u32 << (self.registers[reg::GYR_RANGE] & 7).min(4));
             let per_radps = 32768.0 / range_dps.to_radians();
-            self.store(reg::GYRO_FIRST, sample.rates_radps, if started { per_radps } else { 0.0 });
+            self.store(
+                reg::GYRO_FIRST,
+                self.disturbed(sample.rates_radps),
+                if started { per_radps } else { 0.0 },
+            );
             self.registers[reg::STATUS] |= 0x40;
         }
         if accel {
@@ -85,6 +89,20 @@ impl Bmi270 {
         let latched = self.registers[reg::INT_LATCH] & 1 != 0;
         self.int_falls_ns = if latched { u64::MAX } else { sample.ns + PULSE_NS };
         rose
+    }
+
+    /// What the gyro makes of the rates where one of its axes is broken.
+    fn disturbed(&self, mut rates_radps: [f64; 3]) -> [f64; 3] {
+        match self.defect {
+            Some(Defect::ReversedAxis(axis)) => {
+                rates_radps.iter_mut().skip(axis.into()).take(1).for_each(|rate| *rate = -*rate);
+            }
+            Some(Defect::Railed(axis)) => {
+                rates_radps.iter_mut().skip(axis.into()).take(1).for_each(|rate| *rate = 100.0);
+            }
+            _ => {}
+        }
+        rates_radps
     }
 
     /// Quantises, saturates and stores three axes.

@@ -1,0 +1,158 @@
+//! The fault table of `docs/safety.md`: each row is a fault in a phase of a flight, tried on the very image that gets flashed,
+//! and the document's table is checked against this one.
+//!
+//! A virtual vehicle is brought into each phase once; every row breaks a copy of it. Then the row says in which state it must
+//! end and how soon, how soon no speed controller is told to turn its motor, and what the vehicle says of it. In each row
+//! whose motors stop arming stays blocked until a person has acknowledged, and nothing starts them again by itself.
+
+mod bench;
+mod fault_rows;
+
+use fault_rows::{Fault, Phase, Row};
+use mintime_shared::messages::FlightState;
+
+/// Declares the rows and a test for each. `off` is when the motors stand, `told` what is said.
+macro_rules! rows {
+    ($($name:ident: $fault:ident in $phase:ident => $ends:ident $(within $ms:literal)? $(off $off:literal)? $(told $told:ident)?;)*) => {
+        const ROWS: &[Row] = &[$(Row {
+            fault: Fault::$fault,
+            phase: Phase::$phase,
+            ends_in: FlightState::$ends,
+            within_ms: 0 $(+ $ms)?,
+            off_ms: rows!(@some $($off)?),
+            told: rows!(@text $($told)?),
+        }),*];
+        $(
+            #[test]
+            fn $name() {
+                let row = ROWS.iter().find(|row| row.fault == Fault::$fault && row.phase == Phase::$phase);
+                row.expect("declared above").check();
+            }
+        )*
+    };
+    (@some) => { None };
+    (@some $value:literal) => { Some($value) };
+    (@text) => { None };
+    (@text $value:ident) => { Some(stringify!($value)) };
+}
+
+rows! {
+    // The gyro.
+    silent_gyro_disarmed: GyroSilent in Disarmed => Disarmed;
+    silent_gyro_armed: GyroSilent in Armed => Terminated within 12 off 12 told GyroMissing;
+    silent_gyro_tracking: GyroSilent in Tracking => Terminated within 12 off 12 told GyroMissing;
+    silent_gyro_maneuver: GyroSilent in Maneuver => Terminated within 12 off 12 told GyroMissing;
+    silent_gyro_recovery: GyroSilent in Recovery => Terminated within 12 off 12 told GyroMissing;
+    frozen_gyro_tracking: GyroFrozen in Tracking => Terminated within 60 off 60 told GyroFrozen;
+    frozen_gyro_maneuver: GyroFrozen in Maneuver => Terminated within 60 off 60 told GyroFrozen;
+    saturated_gyro_tracking: GyroSaturated in Tracking => Terminated within 8 off 8 told GyroSaturated;
+    saturated_gyro_maneuver: GyroSaturated in Maneuver => Terminated within 8 off 8 told GyroSaturated;
+    reversed_gyro_tracking: GyroReversed in Tracking => Terminated within 1000 off 1000 told Runaway;
+    reversed_gyro_maneuver: GyroReversed in Maneuver => Terminated within 1000 off 1000 told Runaway;
+    bus_high_tracking: BusHigh in Tracking => Terminated within 12 off 12 told GyroMissing;
+    bus_low_tracking: BusLow in Tracking => Terminated within 12 off 12 told GyroMissing;
+    bus_low_disarmed: BusLow in Disarmed => Disarmed;
+    loose_bus_tracking: BusLoose in Tracking => Tracking;
+    loose_bus_maneuver: BusLoose in Maneuver => Tracking within 200 told LostSamples;
+    noisy_edges_tracking: NoisyEdges in Tracking => Tracking;
+    noisy_edges_maneuver: NoisyEdges in Maneuver => Tracking within 1500;
+    // The link and the host.
+    flipped_bits_tracking: FlippedBits in Tracking => Tracking;
+    lost_bytes_tracking: LostBytes in Tracking => Tracking;
+    line_noise_tracking: LineNoise in Tracking => Tracking;
+    line_noise_disarmed: LineNoise in Disarmed => Disarmed;
+    full_load_tracking: FullLoad in Tracking => Tracking;
+    full_load_maneuver: FullLoad in Maneuver => Tracking within 1500;
+    link_cut_disarmed: LinkCut in Disarmed => Disarmed;
+    link_cut_armed: LinkCut in Armed => Disarmed within 510 off 510 told HeartbeatLost;
+    link_cut_tracking: LinkCut in Tracking => Landed within 2200 off 2200 told LinkLost;
+    link_cut_maneuver: LinkCut in Maneuver => Terminated within 4000 off 4000 told LinkLost;
+    setpoints_stop_armed: SetpointsStop in Armed => Armed;
+    setpoints_stop_tracking: SetpointsStop in Tracking => Landed within 2200 off 2200 told LinkLost;
+    emergency_stop_armed: EmergencyStop in Armed => Terminated within 5 off 5 told EmergencyStop;
+    emergency_stop_disarmed: EmergencyStop in Disarmed => Terminated within 5 told EmergencyStop;
+    emergency_stop_tracking: EmergencyStop in Tracking => Terminated within 5 off 5 told EmergencyStop;
+    emergency_stop_maneuver: EmergencyStop in Maneuver => Terminated within 5 off 5 told EmergencyStop;
+    emergency_stop_recovery: EmergencyStop in Recovery => Terminated within 5 off 5 told EmergencyStop;
+    disarm_tracking: Disarm in Tracking => Disarmed within 5 off 5;
+    disarm_maneuver: Disarm in Maneuver => Disarmed within 5 off 5;
+    // Motors and battery.
+    dead_motor_tracking: DeadMotor in Tracking => Terminated within 500 off 500 told Runaway;
+    dead_motor_maneuver: DeadMotor in Maneuver => Terminated within 1000 off 1000 told Runaway;
+    dead_signal_tracking: DeadSignal in Tracking => Terminated within 600 off 600 told Runaway;
+    battery_sag_tracking: BatterySag in Tracking => Tracking;
+    battery_sag_maneuver: BatterySag in Maneuver => Tracking within 260 told BatterySag;
+    sense_lost_disarmed: SenseLost in Disarmed => Disarmed;
+    sense_lost_tracking: SenseLost in Tracking => Tracking;
+    sense_lost_maneuver: SenseLost in Maneuver => Tracking within 1500;
+    // The processor.
+    slow_lsi_tracking: LsiSlow in Tracking => Tracking;
+    fast_lsi_tracking: LsiFast in Tracking => Tracking;
+    stall_tracking: Stall in Tracking => Tracking;
+    stall_maneuver: Stall in Maneuver => Tracking within 20 told LateTicks;
+    stall_recovery: Stall in Recovery => Landed within 2200 off 2200 told LinkLost;
+    dead_tick_armed: TickDead in Armed => Boot within 150 off 150 told Watchdog;
+    dead_tick_tracking: TickDead in Tracking => Boot within 150 off 150 told Watchdog;
+    dead_tick_slow_lsi: TickDeadLsiSlow in Tracking => Boot within 230 off 230 told Watchdog;
+    dead_tick_fast_lsi: TickDeadLsiFast in Tracking => Boot within 120 off 120 told Watchdog;
+    dead_tick_maneuver: TickDead in Maneuver => Boot within 150 off 150 told Watchdog;
+    dead_supervision_tracking: SupervisionDead in Tracking => Boot within 150 off 150 told Watchdog;
+    dead_link_task_tracking: LinkTaskDead in Tracking => Boot within 150 off 150 told Watchdog;
+    hanging_tasks_maneuver: TasksHang in Maneuver => Boot within 150 off 150 told Watchdog;
+    stack_overflow_tracking: StackOverflow in Tracking => Boot within 50 off 5 told StackOverflow;
+    panic_tracking: Panic in Tracking => Boot within 50 off 1 told Panic;
+    panic_disarmed: Panic in Disarmed => Boot within 50 told Panic;
+    hard_fault_armed: HardFault in Armed => Boot within 50 off 1 told HardFault;
+    hard_fault_tracking: HardFault in Tracking => Boot within 50 off 1 told HardFault;
+    hard_fault_maneuver: HardFault in Maneuver => Boot within 50 off 1 told HardFault;
+    hard_fault_recovery: HardFault in Recovery => Boot within 50 off 1 told HardFault;
+    double_fault_tracking: DoubleFault in Tracking => Boot within 150 off 150 told Watchdog;
+    stray_interrupt_tracking: StrayInterrupt in Tracking => Boot within 50 off 1 told UnexpectedInterrupt;
+    crystal_tracking: CrystalLost in Tracking => Boot within 100 off 101 told ClockLost;
+    brown_out_armed: BrownOut in Armed => Boot within 50 off 1 told BrownOut;
+    brown_out_tracking: BrownOut in Tracking => Boot within 50 off 1 told BrownOut;
+    brown_out_maneuver: BrownOut in Maneuver => Boot within 50 off 1 told BrownOut;
+    reset_tracking: Reset in Tracking => Boot within 50 off 101;
+    reset_maneuver: Reset in Maneuver => Boot within 50 off 101;
+    power_cut_tracking: PowerCut in Tracking => Boot within 50 off 101;
+    cut_in_write_disarmed: CutInWrite in Disarmed => Boot within 50;
+    cut_in_erase_disarmed: CutInErase in Disarmed => Boot within 50;
+    // The kill switch.
+    kill_disarmed: KillPressed in Disarmed => Disarmed;
+    kill_armed: KillPressed in Armed => Terminated within 8 off 8 told KillSwitch;
+    kill_tracking: KillPressed in Tracking => Terminated within 8 off 8 told KillSwitch;
+    kill_maneuver: KillPressed in Maneuver => Terminated within 8 off 8 told KillSwitch;
+    kill_recovery: KillPressed in Recovery => Terminated within 8 off 8 told KillSwitch;
+    radio_silent_tracking: RadioSilent in Tracking => Terminated within 257 off 257 told KillLost;
+    radio_silent_maneuver: RadioSilent in Maneuver => Terminated within 257 off 257 told KillLost;
+    radio_noisy_tracking: RadioNoisy in Tracking => Terminated within 257 off 257 told KillLost;
+    radio_lost_tracking: RadioLost in Tracking => Terminated within 45 off 45 told KillLost;
+}
+
+/// Every row of the document is a row here, and the other way round, in this order.
+#[test]
+fn the_document_says_what_the_tests_check() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/safety.md");
+    let document = std::fs::read_to_string(path).expect("the document");
+    let head = "| fault | in | ends in | within | motors off within | told |";
+    let (_, table) = document.split_once(head).unwrap_or_else(|| panic!("{path} has no table `{head}`"));
+    let lines: Vec<&str> = table.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    let rows: Vec<String> = ROWS.iter().map(Row::line).collect();
+    let stale: Vec<_> = lines.iter().filter(|line| !rows.iter().any(|row| row == *line)).collect();
+    let missing: Vec<_> = rows.iter().filter(|row| !lines.contains(&row.as_str())).collect();
+    assert!(
+        stale.is_empty() && missing.is_empty(),
+        "docs/safety.md says otherwise than the tests.\ntake out:\n{stale:#?}\nput in:\n{missing:#?}"
+    );
+    assert_eq!(lines, rows, "the same rows, in another order");
+}
+
+/// No fault is declared twice for one phase: only the first would be tried.
+#[test]
+fn no_row_is_there_twice() {
+    for (index, row) in ROWS.iter().enumerate() {
+        let earlier = ROWS[..index].iter().find(|r| r.fault == row.fault && r.phase == row.phase);
+        assert!(earlier.is_none(), "{}", row.line());
+    }
+    assert!(ROWS.len() >= 40);
+}

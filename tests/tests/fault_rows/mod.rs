@@ -1,0 +1,160 @@
+//! One row of the fault table: a fault, a phase, and how that ends.
+
+mod fault;
+mod rig;
+
+pub(crate) use fault::Fault;
+pub(crate) use rig::Phase;
+
+use mintime_shared::messages::{
+    ArmingBlock, FlightState, IncidentCause, Purpose, Refusal, Reply, Request, Telemetry,
+};
+use rig::{Host, MS, Rig};
+
+/// Watched for this long beyond the longest bound, ms.
+const BEYOND_MS: u64 = 150;
+/// Where nothing shall happen, nothing happens for this long, ms.
+const CALM_MS: u64 = 300;
+
+/// A fault in a phase.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row {
+    pub(crate) fault: Fault,
+    pub(crate) phase: Phase,
+    /// The state that it ends in, ...
+    pub(crate) ends_in: FlightState,
+    /// ... reached within this after the fault, ms; 0 where it never leaves the state it was in.
+    pub(crate) within_ms: u32,
+    /// No motor turns after this, by what its speed controller is told or misses, ms; `None` where they turn on, or never
+    /// did.
+    pub(crate) off_ms: Option<u32>,
+    /// The reason or incident told.
+    pub(crate) told: Option<&'static str>,
+}
+
+impl Row {
+    /// As a line of the document's table.
+    pub(crate) fn line(&self) -> String {
+        let ms = |ms: Option<u32>| ms.map_or("–".to_owned(), |ms| format!("{ms} ms"));
+        format!(
+            "| {} | `{:?}` | `{:?}` | {} | {} | {} |",
+            self.fault.name(),
+            self.phase,
+            self.ends_in,
+            ms(Some(self.within_ms).filter(|ms| *ms > 0)),
+            ms(self.off_ms),
+            self.told.map_or("–".to_owned(), |told| format!("`{told}`")),
+        )
+    }
+
+    /// Breaks a vehicle in the phase and sees how it ends.
+    pub(crate) fn check(&self) {
+        let mut rig = Rig::in_phase(self.phase);
+        let mut kept = None;
+        let broken_ns = match self.fault.cuts_store() {
+            Some(in_erase) => {
+                kept = Some(fault::cut_store(&mut rig, in_erase));
+                rig.vehicle.now_ns()
+            }
+            None => self.fault.inject(&mut rig),
+        };
+        let longest_ms = u64::from(self.within_ms.max(self.off_ms.unwrap_or(0)));
+        let end_ns = broken_ns + (longest_ms + BEYOND_MS).max(CALM_MS) * MS;
+        while rig.vehicle.now_ns() < end_ns {
+            rig.step();
+        }
+
+        // Where it ended, and how soon.
+        let since: Vec<_> = rig.vehicle.states().iter().filter(|(ns, _)| *ns > broken_ns).copied().collect();
+        let ms = |ns: u64| ns.saturating_sub(broken_ns) as f64 * 1e-6;
+        let reached_ms = since.last().map(|(ns, _)| ms(*ns));
+        let stopped_ns = rig.stopped_ns(broken_ns);
+        let off_ms = stopped_ns.filter(|_| rig.ever_turned()).map(ms);
+        println!("{}: reached {reached_ms:.1?} ms, motors off {off_ms:.2?} ms, {since:?}", self.line());
+        assert_eq!(rig.state(), self.ends_in, "{since:?}");
+        if self.within_ms == 0 {
+            assert_eq!(since, [], "it left its state");
+        } else {
+            let reached_ms = reached_ms.expect("it reached it");
+            assert!(reached_ms <= f64::from(self.within_ms), "{reached_ms} ms");
+        }
+        match self.off_ms {
+            Some(bound) => {
+                let off_ms = off_ms.expect("they turned, and stand");
+                assert!(off_ms <= f64::from(bound), "{off_ms} ms");
+            }
+            None if self.ends_in.motors_on() => assert_eq!(stopped_ns, None, "they stand"),
+            None => assert!(!rig.ever_turned(), "they turned"),
+        }
+
+        let telemetry = rig.status();
+        assert_eq!(told(&telemetry).as_deref(), self.told, "{telemetry:?}");
+        if let Some(kept) = kept {
+            fault::check_store(&mut rig, kept);
+        }
+        if self.ends_in.motors_on() {
+            self.fault.mend(&mut rig);
+            rig.pass_ms(CALM_MS);
+            assert!(rig.state().motors_on(), "it goes on");
+        } else {
+            self.check_stays_off(&mut rig, &telemetry);
+        }
+        let bugs = rig.bugs();
+        let expected = |bug: &String| self.fault.expected_bug().is_some_and(|part| bug.contains(part));
+        assert!(bugs.iter().all(expected), "{bugs:?}");
+    }
+
+    /// Nobody but a person starts the motors again, mended or not, whatever a host streams.
+    fn check_stays_off(&self, rig: &mut Rig, telemetry: &Telemetry) {
+        let ended_ns = rig.vehicle.now_ns();
+        let arm = Request::Arm(Purpose::Flight);
+        let wanted = match (self.ends_in, telemetry.incident) {
+            (FlightState::Landed, _) => Some(ArmingBlock::LANDED),
+            (FlightState::Terminated, Some(_)) => Some(ArmingBlock::TERMINATED),
+            (FlightState::Terminated, None) => panic!("terminated without an incident"),
+            (_, Some(_)) => Some(ArmingBlock::INCIDENT),
+            (FlightState::Boot, None) => Some(ArmingBlock::STARTING),
+            (_, None) => None,
+        };
+        let refused = |rig: &mut Rig| match rig.ask(arm.clone()) {
+            Err(Refusal::ArmingBlocked(bits)) => ArmingBlock(bits),
+            other => panic!("armed: {other:?}"),
+        };
+        if let Some(block) = wanted {
+            assert!(refused(rig).contains(block));
+        }
+        let kill = matches!(
+            self.fault,
+            Fault::KillPressed | Fault::RadioSilent | Fault::RadioNoisy | Fault::RadioLost
+        );
+        let acknowledge = telemetry.incident.map(|i| Request::Acknowledge { incident: i.number });
+        if let Some(acknowledge) = acknowledge.clone().filter(|_| kill) {
+            assert_eq!(rig.ask(acknowledge), Err(Refusal::KillSwitch));
+        }
+        self.fault.mend(rig);
+        rig.host = Host::Flies;
+        rig.pass_ms(CALM_MS);
+        if let Some(block) = wanted {
+            assert!(refused(rig).contains(block));
+        }
+        if let Some(acknowledge) = acknowledge {
+            assert_eq!(rig.ask(acknowledge), Ok(Reply::Done));
+            assert_eq!(rig.status().incident, None);
+            rig.pass_ms(50);
+        }
+        assert!(!rig.state().motors_on());
+        assert!(!rig.turned_after(ended_ns));
+    }
+}
+
+/// What a vehicle says of the fault: what waits to be acknowledged, or else why it gave something up.
+fn told(telemetry: &Telemetry) -> Option<String> {
+    let name = |text: String| text.split([' ', '(']).next().unwrap_or_default().to_owned();
+    match telemetry.incident {
+        Some(incident) => Some(match incident.cause {
+            IncidentCause::Terminated(reason) => format!("{reason:?}"),
+            cause => name(format!("{cause:?}")),
+        }),
+        None => telemetry.abort.map(|reason| format!("{reason:?}")),
+    }
+}
