@@ -47,8 +47,15 @@ fn fly_json_has_the_fields_of_the_interface() {
     assert_eq!(at("/maneuver/verified"), true);
     assert_eq!(at("/vehicle/kind"), "virtual");
     assert_eq!(at("/vehicle/image_sha256").as_str().expect("a text").len(), 64);
+    assert!(at("/vehicle/image_path").as_str().expect("a text").ends_with("mintime-firmware"));
+    for size in ["flash_bytes", "ram_bytes"] {
+        assert!(at(&format!("/vehicle/{size}")).as_u64().expect("a count") > 10_000, "{size}");
+    }
+    for errors in ["motor_errors", "gyro_errors"] {
+        assert!(at(&format!("/flight/{errors}")).is_u64(), "{errors}");
+    }
     assert_eq!(at("/vehicle/firmware_version"), env!("CARGO_PKG_VERSION"));
-    assert_eq!(at("/vehicle/protocol_version"), 2);
+    assert_eq!(at("/vehicle/protocol_version"), 3);
     assert_eq!(at("/flight/outcome"), "completed");
     assert_eq!(at("/flight/abort_reason"), Value::Null);
     assert!(at("/flight/ticks").as_u64().expect("a count") > 1100);
@@ -441,6 +448,8 @@ fn the_virtual_board_answers_on_a_serial_port() {
 
     let folder = tempfile::tempdir().expect("a folder");
     let link = folder.path().join("vehicle");
+    // Left behind by a board that was killed: it leads nowhere.
+    std::os::unix::fs::symlink(folder.path().join("gone"), &link).expect("a link");
     let mut board = std::process::Command::new(env!("CARGO_BIN_EXE_mintime"))
         .args(["virtual-board", "--seconds", "20", "--link"])
         .arg(&link)
@@ -462,6 +471,14 @@ fn the_virtual_board_answers_on_a_serial_port() {
             break reply;
         }
     };
+    let refused = |link: &std::path::Path| {
+        let link = link.to_str().expect("a name");
+        let output = mintime(folder.path(), &["virtual-board", "--seconds", "1", "--link", link]);
+        assert!(!output.status.success());
+        String::from_utf8(output.stderr).expect("text")
+    };
+    assert!(refused(&link).contains("is used by another virtual board"));
+    assert!(refused(&folder.path().join("no/vehicle")).contains("does not exist"));
     board.kill().expect("running");
     board.wait().expect("ended");
     assert!(

@@ -63,6 +63,8 @@ impl VirtualBoard {
         if self.seconds.is_some_and(|s| !(s > 0.0 && s < 1e7)) {
             return Err("--seconds must be a positive number of seconds below 10,000,000".into());
         }
+        // What can be refused is refused before anything is built.
+        let port = terminal::Port::open(self.link.as_deref())?;
         let progress = super::progress::Progress::new();
         let image = super::fly::firmware(self.firmware.as_deref(), &progress);
         progress.finish();
@@ -76,7 +78,6 @@ impl VirtualBoard {
             maneuver_s: 0.0,
         };
         let mut vehicle = VirtualVehicle::new(&scene, image.elf(), Timing::Pessimistic)?;
-        let port = terminal::Port::open(self.link.as_deref())?;
         super::print(&format!("serial port {}", port.path().display()));
         eprintln!("mintime: 921600 baud in effect whatever is set; Ctrl-C ends");
 
