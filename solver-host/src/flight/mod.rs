@@ -281,6 +281,7 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
             pose,
             phase: self.phase,
             setpoint: self.said,
+            maneuver_since_s: self.playing.as_ref().map(|(_, since_s)| *since_s),
             battery_v: self.client.telemetry().map(|t| t.battery_v),
             telemetry_count: self.client.telemetry_count(),
         });

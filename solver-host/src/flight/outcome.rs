@@ -117,6 +117,8 @@ pub struct Sight {
     pub phase: Phase,
     /// The setpoint that was sent when it arrived; `None` while the vehicle stands.
     pub setpoint: Option<Setpoint>,
+    /// Since when the vehicle replays, s on the clock of the poses; `None` where it does not.
+    pub maneuver_since_s: Option<f64>,
     /// The battery's voltage as the newest telemetry has it, V.
     pub battery_v: Option<f32>,
     /// Telemetry messages so far: another number means that the voltage is new.
