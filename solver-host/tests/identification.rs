@@ -24,8 +24,7 @@ fn airframe(strength: f64, lag_s: f64) -> VehicleParameters {
 /// Flies, and returns besides what it brought the true thrust scale: what the rotors give at their speeds, over what the
 /// file takes them to give there.
 fn hop(parameters: &VehicleParameters, seed: u64, plan: &HopPlan) -> (HopFlight, f64) {
-    let scene =
-        Scene { parameters, seed, ground_z_m: 0.0, heading_rad: 0.0, maneuver_s: 0.0 };
+    let scene = Scene { parameters, seed, ground_z_m: 0.0, heading_rad: 0.0, maneuver_s: 0.0 };
     let mut vehicle = HostedVehicle::new(&scene).expect("a vehicle");
     let flight = fly_hops(&mut vehicle, plan, &mut Unseen).expect("flown");
     let trace = vehicle.into_trace();
@@ -51,8 +50,21 @@ fn thrust_and_lag_are_found_over_seeds() {
         [(1, 0.9, 0.033), (2, 1.1, 0.033), (3, 1.0, 0.045), (4, 0.95, 0.025), (5, 1.05, 0.060)]
     {
         let (found, truth) = found(&airframe(strength, lag_s), seed);
-        eprintln!("{seed}: scale {:.4} ± {:.4} (truth {truth:.4}), step {:.4} ± {:.4}, lag {:.2} ± {:.2} ms (truth {:.1}), dead {:.2} ± {:.2} ms, β {:.3}, sag {:?}, residual {:.3} mm",
-            found.thrust_scale, found.thrust_scale_std, found.step_scale, found.step_scale_std, found.lag_s*1e3, found.lag_std_s*1e3, lag_s*1e3, found.dead_time_s*1e3, found.dead_time_std_s*1e3, found.damping_per_s, found.sag_v_per_n, found.residual_m*1e3);
+        eprintln!(
+            "{seed}: scale {:.4} ± {:.4} (truth {truth:.4}), step {:.4} ± {:.4}, lag {:.2} ± {:.2} ms (truth {:.1}), dead {:.2} ± {:.2} ms, β {:.3}, sag {:?}, residual {:.3} mm",
+            found.thrust_scale,
+            found.thrust_scale_std,
+            found.step_scale,
+            found.step_scale_std,
+            found.lag_s * 1e3,
+            found.lag_std_s * 1e3,
+            lag_s * 1e3,
+            found.dead_time_s * 1e3,
+            found.dead_time_std_s * 1e3,
+            found.damping_per_s,
+            found.sag_v_per_n,
+            found.residual_m * 1e3
+        );
         assert!((found.thrust_scale / truth - 1.0).abs() < 0.01, "{found:?}");
         assert!((found.lag_s - lag_s).abs() < 0.005, "{found:?}");
     }

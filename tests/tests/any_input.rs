@@ -3,7 +3,6 @@
 
 mod logic;
 
-
 use logic::{BOTH, HOVER, Record, TICK_US, bytes_of, chunk, table};
 use mintime_firmware::config::{BoardStatus, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
@@ -12,8 +11,8 @@ use mintime_firmware::keeping::Key;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
-    Downlink, FlightState, Incident, IncidentCause, KillSwitch, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES, Request,
-    Setpoint, TableName, Uplink,
+    Downlink, FlightState, Incident, IncidentCause, KillSwitch, Message, PROTOCOL_VERSION, Purpose,
+    RECORD_BYTES, Request, Setpoint, TableName, Uplink,
 };
 use mintime_shared::settings::Settings;
 
@@ -65,7 +64,10 @@ impl Draw {
 
     fn setpoint(&mut self) -> Setpoint {
         match self.below(12) {
-            0 => Setpoint { rates_radps: [self.any_float(), 0.0, self.within(1.0)], thrust_mps2: self.any_float() },
+            0 => Setpoint {
+                rates_radps: [self.any_float(), 0.0, self.within(1.0)],
+                thrust_mps2: self.any_float(),
+            },
             1..4 => Setpoint {
                 rates_radps: core::array::from_fn(|_| self.within(36.0)),
                 thrust_mps2: self.within(101.0).abs(),
@@ -85,7 +87,9 @@ impl Draw {
             }
             22..30 => Request::Arm(if self.one_in(6) { Purpose::MotorTest } else { Purpose::Flight }),
             30..37 => Request::Trigger { checksum },
-            37..44 => Request::Acknowledge { incident: if self.one_in(4) { self.bits() as u16 } else { incident } },
+            37..44 => {
+                Request::Acknowledge { incident: if self.one_in(4) { self.bits() as u16 } else { incident } }
+            }
             44 if self.one_in(20) => Request::Disarm,
             45 if self.one_in(20) => Request::EmergencyStop,
             46 => Request::Status,
@@ -125,9 +129,16 @@ impl Draw {
                 duration_ms: self.below(2500) as u16,
             },
             58 if self.one_in(60) => Request::Calibrate,
-            59 if self.one_in(8) => Request::CalibrateScale { axis: self.below(4) as u8, turns: self.bits() as i8 },
-            60 => [Request::ReadTable, Request::ListTables, Request::ReadVehicle, Request::ReadSettings, Request::Record]
-                [self.below(5) as usize]
+            59 if self.one_in(8) => {
+                Request::CalibrateScale { axis: self.below(4) as u8, turns: self.bits() as i8 }
+            }
+            60 => [
+                Request::ReadTable,
+                Request::ListTables,
+                Request::ReadVehicle,
+                Request::ReadSettings,
+                Request::Record,
+            ][self.below(5) as usize]
                 .clone(),
             61 => Request::ReadRecord { first: self.below(1000) as u32 },
             62 => Request::ReadEvents { first: self.bits() as u32 >> self.below(32) },
@@ -187,7 +198,8 @@ impl World {
         self.now_us =
             if backwards { self.now_us.wrapping_sub(step_us) } else { self.now_us.wrapping_add(step_us) };
         if !quiet && draw.one_in(400) || self.kill != KillSwitch::Run && draw.one_in(100) {
-            self.kill = [KillSwitch::Run, KillSwitch::Lost, KillSwitch::Stop, KillSwitch::Absent][draw.below(4) as usize];
+            self.kill = [KillSwitch::Run, KillSwitch::Lost, KillSwitch::Stop, KillSwitch::Absent]
+                [draw.below(4) as usize];
         }
         if quiet && draw.one_in(3) {
             self.kill = KillSwitch::Run;
@@ -244,7 +256,12 @@ fn check(
     assert!(out.setpoint.is_in_range(), "{}", story());
     // No motor starts but from disarmed, by a request to arm in this very tick.
     if after.motors_on() && !before.motors_on() {
-        assert_eq!((before, after, armed_for), (FlightState::Disarmed, FlightState::Armed, Some(true)), "{}", story());
+        assert_eq!(
+            (before, after, armed_for),
+            (FlightState::Disarmed, FlightState::Armed, Some(true)),
+            "{}",
+            story()
+        );
     }
     if after.motors_on() {
         // Nor does one turn against the switch, nor without one but on the bench, and there not beyond the cap.
@@ -257,7 +274,6 @@ fn check(
     world.ticks += 1;
     world.states[FlightState::ALL.iter().position(|s| *s == after).expect("a state")] += 1;
 }
-
 
 fn report(name: &str, ticks: u64, states: &[u64]) {
     println!("{name}: {ticks} ticks; {:?}", FlightState::ALL.iter().zip(states).collect::<Vec<_>>());
@@ -360,11 +376,15 @@ fn a_million_ticks_of_any_bytes() {
                 let frame = encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits");
                 let mut bytes = frame.as_bytes().to_vec();
                 match world.draw.below(16) {
-                    0 => bytes[world.draw.below(frame.as_bytes().len() as u64) as usize] ^= world.draw.bits() as u8,
+                    0 => {
+                        bytes[world.draw.below(frame.as_bytes().len() as u64) as usize] ^=
+                            world.draw.bits() as u8
+                    }
                     1 => bytes.truncate(world.draw.below(frame.as_bytes().len() as u64) as usize),
                     2 => bytes = (0..world.draw.below(600)).map(|_| world.draw.bits() as u8).collect(),
                     3 => {
-                        let content: Vec<u8> = (0..world.draw.below(60)).map(|_| world.draw.bits() as u8).collect();
+                        let content: Vec<u8> =
+                            (0..world.draw.below(60)).map(|_| world.draw.bits() as u8).collect();
                         bytes = framed(&content);
                     }
                     _ => {}
@@ -398,7 +418,9 @@ fn a_million_ticks_of_any_bytes() {
     report("bytes", ticks, &states);
     assert_eq!(ticks, LIVES * TICKS_EACH);
     assert!(heard > 100_000, "{heard} answers");
-    assert!(states[FlightState::ALL.iter().position(|s| *s == FlightState::Tracking).expect("a state")] > 1000);
+    assert!(
+        states[FlightState::ALL.iter().position(|s| *s == FlightState::Tracking).expect("a state")] > 1000
+    );
 }
 
 /// A frame around any content, its checksum valid.

@@ -3,9 +3,10 @@
 use mintime_shared::crc32;
 use mintime_shared::framing::{Decoder, FrameError, MAX_FRAME_BYTES, encode};
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event, EventChunk, FlightState,
-    GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch, MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION, Purpose,
-    RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event,
+    EventChunk, FlightState, GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch,
+    MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES, RecordChunk, RecordedTick, Refusal,
+    Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::model::LimitsError;
 use mintime_shared::settings::SettingsError;
@@ -215,7 +216,8 @@ fn reply() -> impl Strategy<Value = Reply> {
         (any::<u32>(), float()).prop_map(|(checksum, duration_s)| Reply::Committed { checksum, duration_s }),
         (any::<u32>(), any::<u32>(), events).prop_map(|(first, newest, events)| {
             let events = events.into_iter();
-            let events = events.map(|(time_ms, n)| Event { time_ms, what: Happening::Acknowledged(n) }).collect();
+            let events =
+                events.map(|(time_ms, n)| Event { time_ms, what: Happening::Acknowledged(n) }).collect();
             Reply::Events(EventChunk { first, newest, events })
         }),
         bytes::<MAX_TABLE_BYTES>().prop_map(Reply::Table),
@@ -443,7 +445,10 @@ fn the_largest_messages_fit() {
         state: FlightState::Terminated,
         arming_block: u32::MAX,
         abort: Some(AbortReason::EmergencyStop),
-        incident: Some(Incident { number: u16::MAX, cause: IncidentCause::HardFault { pc: u32::MAX, cfsr: u32::MAX } }),
+        incident: Some(Incident {
+            number: u16::MAX,
+            cause: IncidentCause::HardFault { pc: u32::MAX, cfsr: u32::MAX },
+        }),
         kill: KillSwitch::Run,
         table: u32::MAX,
         maneuver_s: f32::MAX,
@@ -559,7 +564,10 @@ fn the_bytes_on_the_line_are_these() {
     let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
     assert_eq!(up(1, Request::Identify), "030301050a561ce400");
-    assert_eq!(up(300, Request::Setpoint { sequence: 7, setpoint }), "0603ac0216070103803f010102c001010a3fc3f51c41ecd74fe400");
+    assert_eq!(
+        up(300, Request::Setpoint { sequence: 7, setpoint }),
+        "0603ac0216070103803f010102c001010a3fc3f51c41ecd74fe400"
+    );
     assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e03ad0217f8acd19101d7906f8b00");
     let telemetry = Telemetry {
         time_us: 1_000_000,

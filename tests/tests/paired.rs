@@ -6,7 +6,8 @@ use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, Frame, encode};
 use mintime_shared::messages::{
-    Downlink, FlightState, KillSwitch, Message, PROTOCOL_VERSION, RECORD_BYTES, Refusal, Reply, Request, Uplink,
+    Downlink, FlightState, KillSwitch, Message, PROTOCOL_VERSION, RECORD_BYTES, Refusal, Reply, Request,
+    Uplink,
 };
 use mintime_shared::seal::{PairingKey, seal};
 
@@ -32,7 +33,12 @@ impl Radio {
         self.vehicle.receive(bytes);
         self.now_us += 1250;
         let imu = Some(ImuSample { gyro_radps: [0.0; 3], accel_mps2: [0.0, 0.0, 9.81] });
-        self.vehicle.tick(&TickInput { now_us: self.now_us, imu, battery_v: Some(15.0), kill: KillSwitch::Run });
+        self.vehicle.tick(&TickInput {
+            now_us: self.now_us,
+            imu,
+            battery_v: Some(15.0),
+            kill: KillSwitch::Run,
+        });
         let mut out = [0; 2000];
         let length = self.vehicle.transmit(&mut out);
         let mut decoder = Decoder::new();
@@ -73,8 +79,14 @@ fn what_is_sealed_is_heard_once() {
         let again = sealed(&KEY, SESSION, counter, 10, Request::Status);
         assert!(!radio.hear(&again).iter().any(|(_, reply)| matches!(reply, Reply::Status(_))), "{counter}");
     }
-    assert!(matches!(radio.hear(&sealed(&KEY, SESSION, 6, 11, Request::Status))[..], [(11, Reply::Status(_))]));
-    assert!(matches!(radio.hear(&sealed(&KEY, SESSION, u32::MAX, 12, Request::Status))[..], [(12, Reply::Status(_))]));
+    assert!(matches!(
+        radio.hear(&sealed(&KEY, SESSION, 6, 11, Request::Status))[..],
+        [(11, Reply::Status(_))]
+    ));
+    assert!(matches!(
+        radio.hear(&sealed(&KEY, SESSION, u32::MAX, 12, Request::Status))[..],
+        [(12, Reply::Status(_))]
+    ));
 }
 
 #[test]

@@ -8,8 +8,8 @@ use mintime_shared::model::{Inputs, Limits, LimitsError, RateMode, Segment, Stat
 use mintime_shared::motion::{Arc, advance, bang, singular};
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
 use mintime_shared::table::{
-    ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits, SCHEMA_HASH,
-    TableError, TableHeader,
+    ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits,
+    SCHEMA_HASH, TableError, TableHeader,
 };
 use mintime_tests::{ReferenceCase, reference_cases};
 use proptest::prelude::*;

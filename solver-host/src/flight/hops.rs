@@ -120,8 +120,11 @@ pub fn fly_hops(
     Ok(HopFlight { identity, sights: recorder.sights, hover_s, hops })
 }
 
+/// Who flew, from when to when it hovered (s), and the hops.
+type Seen = (Identity, (f64, f64), Vec<Hop>);
+
 impl<C: Connection, W: Witness> Flight<'_, C, W> {
-    fn run_hops(&mut self, plan: &HopPlan) -> Result<(Identity, (f64, f64), Vec<Hop>), FlightError> {
+    fn run_hops(&mut self, plan: &HopPlan) -> Result<Seen, FlightError> {
         self.enter(Phase::Prepare);
         let ground = self.step()?.position_m;
         let mut identity = self.identify()?;

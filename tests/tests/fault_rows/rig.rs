@@ -196,7 +196,7 @@ impl Rig {
 
     /// A fresh vehicle in this phase.
     pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 5];
+        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 6];
         let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
         rig.lock().expect("nobody panics with it").fork()
     }
