@@ -56,6 +56,8 @@ impl Row {
     /// Breaks a vehicle in the phase and sees how it ends.
     pub(crate) fn check(&self) {
         let mut rig = Rig::in_phase(self.phase);
+        // So that each motor has been heard of.
+        rig.pass_ms(5);
         let mut kept = None;
         let broken_ns = match self.fault.cuts_store() {
             Some(in_erase) => {
@@ -75,7 +77,7 @@ impl Row {
         let ms = |ns: u64| ns.saturating_sub(broken_ns) as f64 * 1e-6;
         let last = if self.resets() { since.first() } else { since.last() };
         let reached_ms = last.map(|(ns, _)| ms(*ns));
-        let stopped_ns = rig.stopped_ns(broken_ns);
+        let stopped_ns = rig.stopped_ns();
         let off_ms = stopped_ns.filter(|_| rig.ever_turned()).map(ms);
         println!("{}: reached {reached_ms:.1?} ms, motors off {off_ms:.2?} ms, {since:?}", self.line());
         if self.resets() {

@@ -198,7 +198,7 @@ impl Rig {
 
     /// A fresh vehicle in this phase.
     pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 5];
+        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 6];
         let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
         rig.lock().expect("nobody panics with it").fork()
     }
@@ -401,13 +401,13 @@ impl Rig {
     }
 
     /// When the last motor of those that turned since the fork stood still, by what its speed controller was told or missed,
-    /// ns; `None` while one turns. A motor without any frame stands since `torn_ns` and the timeout.
-    pub(crate) fn stopped_ns(&self, torn_ns: u64) -> Option<u64> {
+    /// ns; `None` while one turns.
+    pub(crate) fn stopped_ns(&self) -> Option<u64> {
         let frames = self.frames.lock().expect("nobody panics");
         let now_ns = self.vehicle.now_ns();
         let stopped = |motor: usize| {
             let mut own = frames.iter().filter(|u| u.motor == motor).peekable();
-            let mut stopped_ns = if own.peek().is_none() { torn_ns + SIGNAL_TIMEOUT_NS } else { 0 };
+            let mut stopped_ns = 0;
             while let Some(frame) = own.next() {
                 if frame.value != 0 {
                     let next_ns = own.peek().map_or(u64::MAX, |next| next.ns);
