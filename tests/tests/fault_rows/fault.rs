@@ -131,6 +131,7 @@ impl Fault {
         match self {
             Self::DoubleFault => Some("lock-up"),
             Self::CrystalLost => Some("no rate of DShot"),
+            Self::StackOverflow => Some("nothing lies at 0x1fff"),
             Self::GyroSilent => Some("BMI270: samples come every"),
             _ => None,
         }
@@ -294,6 +295,11 @@ fn stray_edges(board: &mut Board) {
 /// One word of RAM lost: the control tick finds nothing to run.
 fn lose_tick(rig: &mut Rig) {
     let handle = rig.symbol(&["5board7control6HANDLE"]);
+    // While a tick runs it is not there.
+    while rig.board().core.exception_number() != 0 {
+        let later = rig.vehicle.now_ns() + 500;
+        rig.vehicle.advance_to(later).expect("time goes on");
+    }
     rig.board().memory.place(handle, &[0; 4]).expect("RAM");
 }
 

@@ -22,7 +22,7 @@ use crate::bench::{Board, image};
 
 pub(crate) const MS: u64 = 1_000_000;
 /// The ground, m below the start.
-const GROUND_M: f64 = -1.0;
+const GROUND_M: f64 = -1.5;
 /// Height over the ground of the low hover, m.
 const LOW_M: f64 = 0.2;
 /// Speed of the climb to it, m/s.
@@ -39,7 +39,7 @@ pub(crate) enum Phase {
     Disarmed,
     /// On the ground, idling.
     Armed,
-    /// In the hover, 1 m above the ground.
+    /// In the hover, 1.5 m above the ground.
     Tracking,
     /// The same, 0.2 m above the ground.
     Low,
@@ -230,8 +230,8 @@ impl Rig {
                 rig.pass_ms(1500);
             }
             Phase::Low => {
-                for step in 0..200_u32 {
-                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 200.0;
+                for step in 0..300_u32 {
+                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 300.0;
                     rig.step();
                 }
                 rig.pass_ms(700);
