@@ -7,7 +7,7 @@ pub(crate) use fault::Fault;
 pub(crate) use rig::Phase;
 
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, IncidentCause, Purpose, Refusal, Reply, Request, Telemetry,
+    ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Refusal, Reply, Request, Telemetry,
 };
 use rig::{Host, MS, Rig};
 
@@ -102,6 +102,7 @@ impl Row {
 
         let telemetry = rig.status();
         assert_eq!(told(&telemetry).as_deref(), self.told, "{telemetry:?}");
+        self.assert_struck(&telemetry);
         if let Some(kept) = kept {
             fault::check_store(&mut rig, kept);
         }
@@ -115,6 +116,26 @@ impl Row {
         let bugs = rig.bugs();
         let expected = |bug: &String| self.fault.expected_bug().is_some_and(|part| bug.contains(part));
         assert!(bugs.iter().all(expected), "{bugs:?}");
+    }
+
+    /// Where a fault may leave no trace in the state it must leave one in telemetry, or it was none.
+    fn assert_struck(&self, telemetry: &Telemetry) {
+        let board = telemetry.board.expect("a board");
+        let struck = match self.fault {
+            Fault::NoisyEdges => board.spurious_edges > 20,
+            Fault::FlippedBits | Fault::LostBytes | Fault::LineNoise => telemetry.link_errors > 10,
+            Fault::BusLoose => telemetry.missing_samples > 20,
+            Fault::BusLow if self.phase == Phase::Disarmed => telemetry.missing_samples > 100,
+            Fault::GyroSilent if self.phase == Phase::Disarmed => {
+                ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_SILENT)
+            }
+            Fault::SenseLost => telemetry.battery_v == 0.0,
+            Fault::BatterySag => (10.0..12.4).contains(&telemetry.battery_v),
+            Fault::Stall => telemetry.worst_interval_us > 10_000,
+            Fault::KillPressed if self.phase == Phase::Disarmed => telemetry.kill == KillSwitch::Stop,
+            _ => true,
+        };
+        assert!(struck, "{telemetry:?}");
     }
 
     /// Nobody but a person starts the motors again, mended or not, whatever a host streams.
