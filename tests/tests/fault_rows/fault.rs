@@ -9,7 +9,7 @@ use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::Fault as Broken;
 
 use super::rig::{Damage, Host, MS, Rig, draw};
-use crate::bench::{Board, wake};
+use crate::bench::Board;
 
 /// RAM that the firmware does not use.
 const SPARE_RAM: u32 = 0x2001_F000;
@@ -131,6 +131,7 @@ impl Fault {
         match self {
             Self::DoubleFault => Some("lock-up"),
             Self::CrystalLost => Some("no rate of DShot"),
+            Self::StackOverflow => Some("nothing lies at 0x1fff"),
             Self::GyroSilent => Some("BMI270: samples come every"),
             _ => None,
         }
@@ -186,24 +187,34 @@ impl Fault {
             Self::SupervisionDead => kill_task(rig, "5board11supervision3run"),
             Self::LinkTaskDead => kill_task(rig, "5board4link8transmit"),
             // b .
-            Self::TasksHang => run_instead(rig.board(), &[], &[0xE7FE]),
+            Self::TasksHang => {
+                run_instead(rig, &[], &[0xE7FE]);
+                return rig.vehicle.now_ns();
+            }
             // push {r0-r7, lr}; b back
-            Self::StackOverflow => run_instead(rig.board(), &[], &[0xB5FF, 0xE7FD]),
-            Self::Panic => panic_at(rig),
+            Self::StackOverflow => {
+                run_instead(rig, &[], &[0xB5FF, 0xE7FD]);
+                return rig.vehicle.now_ns();
+            }
+            Self::Panic => {
+                panic_at(rig);
+                return rig.vehicle.now_ns();
+            }
             Self::HardFault => {
-                wake(rig.board());
-                rig.board().core.set_register(15, NOWHERE);
+                go_to(rig, NOWHERE, &[]);
+                return rig.vehicle.now_ns();
             }
             Self::DoubleFault => {
                 let handler = rig.symbol(&["HardFault"]) & !1;
-                wake(rig.board());
                 // udf #0
                 rig.board().memory.place(handler, &[0x00, 0xDE]).expect("flash");
-                rig.board().core.set_register(15, NOWHERE);
+                go_to(rig, NOWHERE, &[]);
+                return rig.vehicle.now_ns();
             }
             // The window watchdog's: pend it and switch it on. str r1, [r0]; str r1, [r2]; b .
             Self::StrayInterrupt => {
-                run_instead(rig.board(), &[0xE000_E200, 1, 0xE000_E100], &[0x6001, 0x6011, 0xE7FE]);
+                run_instead(rig, &[0xE000_E200, 1, 0xE000_E100], &[0x6001, 0x6011, 0xE7FE]);
+                return rig.vehicle.now_ns();
             }
             Self::CrystalLost => {
                 let board = rig.board();
@@ -284,6 +295,11 @@ fn stray_edges(board: &mut Board) {
 /// One word of RAM lost: the control tick finds nothing to run.
 fn lose_tick(rig: &mut Rig) {
     let handle = rig.symbol(&["5board7control6HANDLE"]);
+    // While a tick runs it is not there.
+    while rig.board().core.exception_number() != 0 {
+        let later = rig.vehicle.now_ns() + 500;
+        rig.vehicle.advance_to(later).expect("time goes on");
+    }
     rig.board().memory.place(handle, &[0; 4]).expect("RAM");
 }
 
@@ -303,27 +319,27 @@ fn kill_task(rig: &mut Rig, name: &str) {
 }
 
 /// Makes thread mode go on with these instructions, registers set, interrupts on.
-fn run_instead(board: &mut Board, registers: &[u32], code: &[u16]) {
+fn run_instead(rig: &mut Rig, registers: &[u32], code: &[u16]) {
     // cpsie i
     let code = [0xB662].iter().chain(code);
     let bytes: Vec<u8> = code.flat_map(|half| half.to_le_bytes()).collect();
-    board.memory.place(SPARE_RAM, &bytes).expect("RAM");
-    go_to(board, SPARE_RAM, registers);
+    rig.board().memory.place(SPARE_RAM, &bytes).expect("RAM");
+    go_to(rig, SPARE_RAM, registers);
 }
 
-/// Makes thread mode go on there.
-fn go_to(board: &mut Board, address: u32, registers: &[u32]) {
-    for _ in 0..10_000 {
-        wake(board);
-        if board.core.exception_number() == 0 {
+/// Makes thread mode go on there, as soon as it is awake.
+fn go_to(rig: &mut Rig, address: u32, registers: &[u32]) {
+    for _ in 0..100_000 {
+        let core = &mut rig.board().core;
+        if !core.is_asleep() && core.exception_number() == 0 {
             for (number, value) in (0..).zip(registers) {
-                board.core.set_register(number, *value);
+                core.set_register(number, *value);
             }
-            board.core.set_register(15, address);
+            core.set_register(15, address);
             return;
         }
-        let until = board.time() + 100;
-        board.run_until(until);
+        let later = rig.vehicle.now_ns() + 500;
+        rig.vehicle.advance_to(later).expect("time goes on");
     }
     panic!("no thread mode");
 }
@@ -337,7 +353,7 @@ fn panic_at(rig: &mut Rig) {
     let board = rig.board();
     board.memory.place(file, b"fault.rs").expect("RAM");
     board.memory.place(location, &bytes).expect("RAM");
-    go_to(board, at, &[3, 2, location]);
+    go_to(rig, at, &[3, 2, location]);
 }
 
 /// Cuts the power in a write to the store, or in the erase that makes room in it. Returns the vehicle file that was asked to

@@ -7,7 +7,7 @@ pub(crate) use fault::Fault;
 pub(crate) use rig::Phase;
 
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, IncidentCause, Purpose, Refusal, Reply, Request, Telemetry,
+    ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Refusal, Reply, Request, Telemetry,
 };
 use rig::{Host, MS, Rig};
 
@@ -56,6 +56,8 @@ impl Row {
     /// Breaks a vehicle in the phase and sees how it ends.
     pub(crate) fn check(&self) {
         let mut rig = Rig::in_phase(self.phase);
+        // So that each motor has been heard of.
+        rig.pass_ms(5);
         let mut kept = None;
         let broken_ns = match self.fault.cuts_store() {
             Some(in_erase) => {
@@ -75,7 +77,7 @@ impl Row {
         let ms = |ns: u64| ns.saturating_sub(broken_ns) as f64 * 1e-6;
         let last = if self.resets() { since.first() } else { since.last() };
         let reached_ms = last.map(|(ns, _)| ms(*ns));
-        let stopped_ns = rig.stopped_ns(broken_ns);
+        let stopped_ns = rig.stopped_ns();
         let off_ms = stopped_ns.filter(|_| rig.ever_turned()).map(ms);
         println!("{}: reached {reached_ms:.1?} ms, motors off {off_ms:.2?} ms, {since:?}", self.line());
         if self.resets() {
@@ -100,6 +102,7 @@ impl Row {
 
         let telemetry = rig.status();
         assert_eq!(told(&telemetry).as_deref(), self.told, "{telemetry:?}");
+        self.assert_struck(&telemetry);
         if let Some(kept) = kept {
             fault::check_store(&mut rig, kept);
         }
@@ -113,6 +116,26 @@ impl Row {
         let bugs = rig.bugs();
         let expected = |bug: &String| self.fault.expected_bug().is_some_and(|part| bug.contains(part));
         assert!(bugs.iter().all(expected), "{bugs:?}");
+    }
+
+    /// Where a fault may leave no trace in the state it must leave one in telemetry, or it was none.
+    fn assert_struck(&self, telemetry: &Telemetry) {
+        let board = telemetry.board.expect("a board");
+        let struck = match self.fault {
+            Fault::NoisyEdges => board.spurious_edges > 20,
+            Fault::FlippedBits | Fault::LostBytes | Fault::LineNoise => telemetry.link_errors > 10,
+            Fault::BusLoose => telemetry.missing_samples > 20,
+            Fault::BusLow if self.phase == Phase::Disarmed => telemetry.missing_samples > 100,
+            Fault::GyroSilent if self.phase == Phase::Disarmed => {
+                ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_SILENT)
+            }
+            Fault::SenseLost => telemetry.battery_v == 0.0,
+            Fault::BatterySag => (10.0..12.4).contains(&telemetry.battery_v),
+            Fault::Stall => telemetry.worst_interval_us > 10_000,
+            Fault::KillPressed if self.phase == Phase::Disarmed => telemetry.kill == KillSwitch::Stop,
+            _ => true,
+        };
+        assert!(struck, "{telemetry:?}");
     }
 
     /// Nobody but a person starts the motors again, mended or not, whatever a host streams.

@@ -20,7 +20,7 @@ use crate::bench::{Board, image};
 
 pub(crate) const MS: u64 = 1_000_000;
 /// The ground, m below the start.
-const GROUND_M: f64 = -1.0;
+const GROUND_M: f64 = -1.5;
 /// Height over the ground of the low hover, m.
 const LOW_M: f64 = 0.2;
 /// Speed of the climb to it, m/s.
@@ -37,7 +37,7 @@ pub(crate) enum Phase {
     Disarmed,
     /// On the ground, idling.
     Armed,
-    /// In the hover, 1 m above the ground.
+    /// In the hover, 1.5 m above the ground.
     Tracking,
     /// The same, 0.2 m above the ground.
     Low,
@@ -228,8 +228,8 @@ impl Rig {
                 rig.pass_ms(1500);
             }
             Phase::Low => {
-                for step in 0..200_u32 {
-                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 200.0;
+                for step in 0..300_u32 {
+                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 300.0;
                     rig.step();
                 }
                 rig.pass_ms(700);
@@ -398,13 +398,13 @@ impl Rig {
     }
 
     /// When the last motor of those that turned since the fork stood still, by what its speed controller was told or missed,
-    /// ns; `None` while one turns. A motor without any frame stands since `torn_ns` and the timeout.
-    pub(crate) fn stopped_ns(&self, torn_ns: u64) -> Option<u64> {
+    /// ns; `None` while one turns.
+    pub(crate) fn stopped_ns(&self) -> Option<u64> {
         let frames = self.frames.lock().expect("nobody panics");
         let now_ns = self.vehicle.now_ns();
         let stopped = |motor: usize| {
             let mut own = frames.iter().filter(|u| u.motor == motor).peekable();
-            let mut stopped_ns = if own.peek().is_none() { torn_ns + SIGNAL_TIMEOUT_NS } else { 0 };
+            let mut stopped_ns = 0;
             while let Some(frame) = own.next() {
                 if frame.value != 0 {
                     let next_ns = own.peek().map_or(u64::MAX, |next| next.ns);
