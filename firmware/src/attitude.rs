@@ -15,7 +15,7 @@
 //! no trigonometry. At one to three cycles each and 168 MHz below 3 µs.
 
 use mintime_shared::model::GRAVITY_MPS2;
-use mintime_shared::real::{at_least, at_most};
+use mintime_shared::real::{at_least, at_most, sqrt};
 
 use crate::config::control::{
     ATTITUDE_RATE_MAX_RADPS, ATTITUDE_STEP_MAX_S, DESCENT_THRUST, DESCENT_TILT_COS,
@@ -83,7 +83,7 @@ impl Rotation {
             return Self([0.0, 1.0, 0.0, 0.0]);
         }
         // From the body's `up` to z: the axis is up × z, and w the cosine of half the angle.
-        let w = libm::sqrtf(0.5 * (1.0 + uz));
+        let w = sqrt(0.5 * (1.0 + uz));
         let scale = 0.5 / w;
         Self::normalised([w, uy * scale, -ux * scale, 0.0])
     }
@@ -92,7 +92,7 @@ impl Rotation {
     pub fn vector(&self) -> [f32; 3] {
         let [w, x, y, z] = self.0;
         let sign = if w < 0.0 { -1.0 } else { 1.0 };
-        let sine = libm::sqrtf(x * x + y * y + z * z);
+        let sine = sqrt(x * x + y * y + z * z);
         // Near zero the angle is twice the sine.
         let scale = if sine > 1.0e-4 { 2.0 * libm::atan2f(sine, sign * w) / sine } else { 2.0 };
         [x, y, z].map(|c| c * sign * scale)
@@ -177,7 +177,7 @@ impl AttitudeEstimate {
     /// Angle between the thrust axis and the vertical, rad, 0 to π.
     pub fn tilt_rad(&self) -> f32 {
         let [x, y, z] = self.up_in_body();
-        libm::atan2f(libm::sqrtf(x * x + y * y), z)
+        libm::atan2f(sqrt(x * x + y * y), z)
     }
 
     /// Body rates that turn the vehicle upright, rad/s; its heading is left alone.
@@ -206,7 +206,7 @@ fn gravity(accel_mps2: [f32; 3], rates_radps: [f32; 3], motion: Motion) -> Optio
         Motion::Maneuver => return None,
     };
     let calm = rates_radps.iter().all(|r| r.abs() <= rate_radps);
-    let length = libm::sqrtf(accel_mps2.iter().fold(0.0, |sum, a| sum + a * a));
+    let length = sqrt(accel_mps2.iter().fold(0.0, |sum, a| sum + a * a));
     // False for NaN.
     let plausible = (length - GRAVITY_MPS2 as f32).abs() <= window_mps2;
     (calm && plausible).then(|| (accel_mps2.map(|a| a / length), gain))
@@ -220,16 +220,12 @@ fn gravity(accel_mps2: [f32; 3], rates_radps: [f32; 3], motion: Motion) -> Optio
 pub fn level_rates([ux, uy, uz]: [f32; 3]) -> [f32; 3] {
     // The axis z × up, as long as the sine of the tilt: about it the body turns its z axis towards the vertical.
     let (ax, ay) = (-uy, ux);
-    let sine = libm::sqrtf(ax * ax + ay * ay);
+    let sine = sqrt(ax * ax + ay * ay);
     if uz < 0.0 && sine < 0.02 {
         return [LEVEL_RATE_MAX_RADPS, 0.0, 0.0];
     }
     // Over the sine; below the horizon the chord has the form that does not divide by zero at the other end.
-    let chord = if uz > 0.0 {
-        libm::sqrtf(2.0 / (1.0 + uz))
-    } else {
-        libm::sqrtf(2.0 * (1.0 - uz)) / at_least(sine, 0.02)
-    };
+    let chord = if uz > 0.0 { sqrt(2.0 / (1.0 + uz)) } else { sqrt(2.0 * (1.0 - uz)) / at_least(sine, 0.02) };
     let wanted = LEVEL_GAIN_PER_S * chord;
     let scale = if wanted * sine > LEVEL_RATE_MAX_RADPS { LEVEL_RATE_MAX_RADPS / sine } else { wanted };
     let rate = |axis: f32| at_most(at_least(axis * scale, -LEVEL_RATE_MAX_RADPS), LEVEL_RATE_MAX_RADPS);

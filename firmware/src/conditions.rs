@@ -46,7 +46,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         found.set(C::SATURATED, maneuver && self.saturated_ticks >= SATURATED_TICKS);
         found.set(C::BATTERY_SAG, self.sag_ticks >= BATTERY_SAG_TICKS);
         found.set(C::IDLE_TOO_LONG, state == FlightState::Armed && in_state_us >= ARMED_IDLE_US);
-        found.set(C::STARTING, self.starting);
+        // Speed controllers that have not armed keep nobody from calibrating: without a battery they never do.
+        found.set(C::STARTING, self.starting && !self.capabilities.gyro);
         found.set(C::CALIBRATED, self.gyro.is_calibrated());
         let recovery = state == FlightState::Recovery;
         found.set(C::TOUCHED_DOWN, recovery && self.recovery.stands());

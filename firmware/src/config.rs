@@ -85,6 +85,8 @@ pub const ARMING_TILT_RAD: f32 = 0.26;
 pub const BATTERY_SAG_TICKS: u32 = 160;
 /// Rotors at their limit for this many ticks in a row (150 ms) in a maneuver: longer than any reversal.
 pub const SATURATED_TICKS: u32 = 120;
+/// Rotors that give less than this part of the thrust asked for are at their limit.
+pub const SATURATED_LIFT: f32 = 0.95;
 /// Samples lost in one maneuver that end it.
 pub const LOST_SAMPLES_ABORT: u32 = 24;
 /// Armed and idle for longer than this disarms, µs.

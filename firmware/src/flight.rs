@@ -16,7 +16,7 @@ use mintime_shared::messages::{
     AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause,
     KillSwitch, Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
-use mintime_shared::real::at_most;
+use mintime_shared::real::{at_least, at_most};
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
@@ -24,8 +24,8 @@ use mintime_shared::settings::Settings;
 use crate::attitude::{AttitudeEstimate, Motion};
 use crate::calibration::ScaleCalibration;
 use crate::config::{
-    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, StoreStatus,
-    VehicleConfig,
+    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, SATURATED_LIFT,
+    StoreStatus, VehicleConfig,
 };
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
@@ -169,8 +169,10 @@ pub struct FlightLogic<M> {
     pub(crate) recorder: Recorder<M>,
     /// Ticks are recorded outside a maneuver too.
     pub(crate) recording: bool,
-    /// The tick that the second part records.
-    to_record: Option<RecordedTick>,
+    /// The state that was entered and why, for the second part to log.
+    to_log: Option<(FlightState, Option<AbortReason>)>,
+    /// What the second part records.
+    to_record: Option<TickOutput>,
     /// The sample, or its absence, that the second part estimates the attitude from.
     to_estimate: Option<Option<ImuSample>>,
     pub(crate) events: EventLog,
@@ -239,6 +241,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             worst_interval_us: 0,
             recorder: Recorder::new(record),
             recording: false,
+            to_log: None,
             to_record: None,
             to_estimate: None,
             events: EventLog::new(),
@@ -295,7 +298,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
         let setpoint = self.choose_setpoint(now_us);
         let output = self.control(setpoint, now_us);
-        self.to_record = self.recorded(&output);
+        self.to_record = Some(output);
         // Here alone places of the frame become output lines.
         TickOutput { throttle: output.throttle.map(|t| to_outputs(&self.config, t)), ..output }
     }
@@ -305,8 +308,17 @@ impl<M: RecordMemory> FlightLogic<M> {
     pub fn conclude(&mut self, inbox: &mut Inbox, outbox: &mut Outbox) {
         let now_us = self.last_us.unwrap_or(0);
         self.estimate();
+        if let Some((state, reason)) = self.to_log.take() {
+            self.events.push(now_us, Happening::Entered(state));
+            if let Some(reason) = reason {
+                self.events.push(now_us, Happening::Aborted(reason));
+            }
+            if state == FlightState::Terminated {
+                self.report(IncidentCause::Terminated(reason.unwrap_or(AbortReason::EmergencyStop)));
+            }
+        }
         self.answer(inbox, now_us, outbox);
-        if let Some(tick) = self.to_record.take() {
+        if let Some(tick) = self.to_record.take().and_then(|output| self.recorded(&output)) {
             self.recorder.push(now_us, tick);
         }
     }
@@ -370,10 +382,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
         self.state_since_us = now_us;
         let new = self.state();
-        self.events.push(now_us, Happening::Entered(new));
-        if let Some(reason) = reason {
-            self.events.push(now_us, Happening::Aborted(reason));
-        }
+        self.to_log = Some((new, reason));
         if old == FlightState::Maneuver {
             // Complete is what ended by itself: no reason to abort, and nobody's order to stop.
             let by_itself = matches!(new, FlightState::Tracking | FlightState::Recovery);
@@ -409,7 +418,6 @@ impl<M: RecordMemory> FlightLogic<M> {
             FlightState::Terminated => {
                 self.host_setpoint = None;
                 self.recording = false;
-                self.report(IncidentCause::Terminated(reason.unwrap_or(AbortReason::EmergencyStop)));
             }
             FlightState::Boot | FlightState::Calibrating | FlightState::Disarmed | FlightState::Landed => {
                 self.host_setpoint = None;
@@ -474,9 +482,20 @@ impl<M: RecordMemory> FlightLogic<M> {
             follow_angle: self.state() == FlightState::Maneuver,
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
-        let mixed = mix(&self.config, &demand);
+        let mixed = match self.thrust_cap_mps2() {
+            None => mix(&self.config, &demand),
+            // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
+            Some(cap_mps2) => {
+                let share_n = cap_mps2 * self.config.mass_kg / MOTOR_COUNT as f32;
+                let rotor_thrust_max_n = at_least(share_n, self.config.rotor_thrust_idle_n);
+                mix(&VehicleConfig { rotor_thrust_max_n, ..self.config }, &demand)
+            }
+        };
         self.rate.limited(&mixed.saturation);
-        let saturated = mixed.saturation.thrust || mixed.saturation.axes.contains(&true);
+        // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
+        // leaves yaw behind is part of a healthy flight.
+        let [roll, pitch, _] = mixed.saturation.axes;
+        let saturated = roll || pitch || mixed.saturation.achieved_mps2 < SATURATED_LIFT * thrust_mps2;
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
         let throttle = self.drive.throttles(&self.config, mixed.thrusts_n, self.drive_v, dt_s);
         self.commanded = setpoint;

@@ -132,8 +132,8 @@ impl Gyro {
     /// Takes the factors by which the rates are multiplied, [`crate::calibration`]. Returns whether they are believed; if
     /// not, nothing has changed.
     pub fn set_scale(&mut self, scale: [f32; 3]) -> bool {
-        // False for NaN.
-        let credible = scale.iter().all(|s| (s - 1.0).abs() <= SCALE_ERROR_MAX);
+        // The very bounds that settings have: 1 − 0.95 is a little more than 0.05. False for NaN.
+        let credible = scale.iter().all(|s| (1.0 - SCALE_ERROR_MAX..=1.0 + SCALE_ERROR_MAX).contains(s));
         if credible {
             self.scale = scale;
         }

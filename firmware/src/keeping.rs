@@ -43,7 +43,6 @@ const _: () = assert!(STORED_TABLES == crate::store::TABLES as usize);
 pub(crate) type Slots = [Option<Slot>; STORED_TABLES];
 
 /// What a value says once it is read.
-#[expect(clippy::large_enum_variant, reason = "no allocator to box with; it lives for one call")]
 pub(crate) enum Kept {
     Vehicle(VehicleConfig),
     Settings(Settings),

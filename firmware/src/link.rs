@@ -5,7 +5,7 @@
 //! is not sealed is refused, but for the question who is there: that is where a host learns the session's number.
 
 use heapless::Deque;
-use mintime_shared::framing::{Decoder, Frame, parse, parse_leading};
+use mintime_shared::framing::{Decoder, Frame, parse};
 use mintime_shared::messages::{DownlinkRef, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Uplink};
 use mintime_shared::seal::{self, PairingKey};
 
@@ -73,7 +73,8 @@ impl Link {
                             self.last_counter = counter;
                             parse(content).ok()
                         }
-                        None => parse_leading::<Uplink>(content).ok().filter(|uplink| {
+                        // Without a seal, or with one that is old or another's: whoever sent it is told.
+                        None => unsealed(content).filter(|uplink| {
                             let harmless = uplink.request == Request::Identify;
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);
@@ -119,6 +120,12 @@ impl Link {
         }
         written
     }
+}
+
+/// The request in a content whose seal does not hold, or that has none.
+fn unsealed(content: &[u8]) -> Option<Uplink> {
+    let bare = || content.split_last_chunk::<{ seal::SEAL_BYTES }>().map(|(content, _)| content);
+    parse(content).ok().or_else(|| parse(bare()?).ok())
 }
 
 /// Puts a request into the inbox; whether nothing was lost by it.

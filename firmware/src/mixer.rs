@@ -6,7 +6,7 @@
 
 use mintime_shared::frames::MOTORS;
 use mintime_shared::model::GRAVITY_MPS2;
-use mintime_shared::real::{at_least, at_most};
+use mintime_shared::real::{at_least, at_most, sqrt};
 
 use crate::config::{MOTOR_COUNT, ROTOR_RESPONSE_S, VehicleConfig, YAW_RESERVE};
 
@@ -106,7 +106,7 @@ pub fn throttle_of_speed(linear_share: f32, speed: f32) -> f32 {
     }
     // The root of the quadratic in the form that does not cancel, and that ends in u = y for a = 1.
     let y = speed * speed;
-    2.0 * y / (linear_share + libm::sqrtf(linear_share * linear_share + 4.0 * (1.0 - linear_share) * y))
+    2.0 * y / (linear_share + sqrt(linear_share * linear_share + 4.0 * (1.0 - linear_share) * y))
 }
 
 /// The inverse of [`throttle_of_speed`].
@@ -114,7 +114,7 @@ pub fn speed_of_throttle(linear_share: f32, throttle: f32) -> f32 {
     if linear_share == 0.0 {
         return throttle;
     }
-    libm::sqrtf(((1.0 - linear_share) * throttle + linear_share) * throttle)
+    sqrt(((1.0 - linear_share) * throttle + linear_share) * throttle)
 }
 
 /// What each output line gets, from what the motor at each place of the frame shall get: the one place where wiring
@@ -162,12 +162,12 @@ impl RotorDrive {
         battery_v: Option<f32>,
         dt_s: f32,
     ) -> [f32; MOTOR_COUNT] {
-        let idle = libm::sqrtf(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
+        let idle = sqrt(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
         let share = config.thrust_linear_share;
         let lead = at_least(config.rotor_lag_s / ROTOR_RESPONSE_S, 1.0);
         let mut command = [0.0; MOTOR_COUNT];
         for ((slot, thrust), speed) in command.iter_mut().zip(thrusts_n).zip(self.speed) {
-            let wanted = libm::sqrtf(at_least(thrust / config.rotor_thrust_max_n, 0.0));
+            let wanted = sqrt(at_least(thrust / config.rotor_thrust_max_n, 0.0));
             *slot = at_most(at_least(speed + lead * (wanted - speed), idle), 1.0);
         }
         let compensation = config.battery_nominal_v / self.voltage_now(config, battery_v);

@@ -206,6 +206,7 @@ struct Lookout {
     absent: Conditions,
 }
 
+#[expect(clippy::indexing_slicing, reason = "evaluated by the compiler only")]
 const LOOKOUTS: [Lookout; FlightState::ALL.len()] = {
     // What is so for long stretches of an ordinary flight says nothing.
     const LASTING: Conditions =

@@ -168,11 +168,3 @@ pub fn parse<M: DeserializeOwned>(content: &[u8]) -> Result<M, FrameError> {
         _ => Err(FrameError::Content),
     }
 }
-
-/// The message that a frame's content begins with, whatever follows: a seal that does not hold, say.
-///
-/// # Errors
-/// [`FrameError::Content`].
-pub fn parse_leading<M: DeserializeOwned>(content: &[u8]) -> Result<M, FrameError> {
-    postcard::take_from_bytes(content).map(|(message, _)| message).map_err(|_| FrameError::Content)
-}

@@ -119,7 +119,7 @@ impl Real for f32 {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        libm::sqrtf(self)
+        sqrt(self)
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
@@ -137,4 +137,37 @@ impl Real for f32 {
     fn is_finite(self) -> bool {
         f32::is_finite(self)
     }
+}
+
+/// Square root. Rounded correctly, as IEEE 754 wants it, so that every implementation gives the same bits; the vehicle's
+/// processor has an instruction for it that is ten times faster than `libm`.
+#[inline]
+pub fn sqrt(x: f32) -> f32 {
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    {
+        hardware_sqrt(x)
+    }
+    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+    {
+        libm::sqrtf(x)
+    }
+}
+
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+#[allow(unsafe_code)]
+#[inline]
+fn hardware_sqrt(x: f32) -> f32 {
+    let mut bits = x.to_bits();
+    // SAFETY: works on registers only; the scratch register is told to the compiler.
+    unsafe {
+        core::arch::asm!(
+            "vmov s15, {bits}",
+            "vsqrt.f32 s15, s15",
+            "vmov {bits}, s15",
+            bits = inout(reg) bits,
+            out("s15") _,
+            options(pure, nomem, nostack),
+        );
+    }
+    f32::from_bits(bits)
 }

@@ -17,6 +17,8 @@ pub mod flight;
 #[cfg(feature = "std")]
 pub mod flight_log;
 #[cfg(feature = "std")]
+pub mod identification;
+#[cfg(feature = "std")]
 pub mod mission;
 #[cfg(feature = "std")]
 pub mod motion_capture;

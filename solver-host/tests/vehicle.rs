@@ -138,7 +138,7 @@ fn the_commands_of_the_bench() {
     let vehicle =
         |arguments: &[&str]| mintime(&[&["vehicle", &served.port][..], arguments, &["--json"]].concat());
 
-    assert_eq!(json(&vehicle(&["identify"]))["protocol_version"], 3);
+    assert_eq!(json(&vehicle(&["identity"]))["protocol_version"], 3);
     assert!(json(&vehicle(&["status"]))["arming_blocked_by"].is_array());
     json(&vehicle(&["params", "--save", &path("quad.json")]));
     let text = std::fs::read_to_string(path("quad.json")).expect("saved").replace("0.752", "0.76");

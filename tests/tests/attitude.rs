@@ -83,7 +83,7 @@ proptest! {
 
     /// Gravity at rest gives the tilt at once, whichever way the vehicle lies.
     #[test]
-    fn rest_is_seen_at_once(axis in prop::array::uniform3(-1.0f64..1.0), angle in 0.0f64..3.14) {
+    fn rest_is_seen_at_once(axis in prop::array::uniform3(-1.0f64..1.0), angle in 0.0f64..std::f64::consts::PI) {
         let axis = Vector3::from(axis);
         prop_assume!(axis.norm() > 1e-2);
         let truth = UnitQuaternion::from_scaled_axis(axis.normalize() * angle);
@@ -216,7 +216,7 @@ fn any_attitude_is_levelled_within_a_second() {
     let mut slowest = 0.0f64;
     for case in 0..200 {
         // Uniform over all rotations (Shoemake), and one exactly upside down.
-        let (a, b, c) = (uniform(), uniform() * 6.283, uniform() * 6.283);
+        let (a, b, c) = (uniform(), uniform() * std::f32::consts::TAU, uniform() * std::f32::consts::TAU);
         let (p, q) = (a.sqrt(), (1.0 - a).sqrt());
         let random = [p * c.cos(), q * b.sin(), q * b.cos(), p * c.sin()];
         let attitude = if case == 0 { [0.0, 1.0, 0.0, 0.0] } else { random };

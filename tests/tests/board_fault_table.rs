@@ -9,6 +9,7 @@ mod bench;
 mod fault_rows;
 
 use fault_rows::{Fault, Phase, Row};
+use mintime_firmware::supervisor::{Conditions, States, TRANSITIONS, Transition};
 use mintime_shared::messages::FlightState;
 
 /// Declares the rows and a test for each. `off` is when the motors stand, `told` what is said.
@@ -43,32 +44,33 @@ rows! {
     silent_gyro_tracking: GyroSilent in Tracking => Terminated within 12 off 12 told GyroMissing;
     silent_gyro_maneuver: GyroSilent in Maneuver => Terminated within 12 off 12 told GyroMissing;
     silent_gyro_recovery: GyroSilent in Recovery => Terminated within 12 off 12 told GyroMissing;
-    frozen_gyro_tracking: GyroFrozen in Tracking => Terminated within 60 off 60 told GyroFrozen;
-    frozen_gyro_maneuver: GyroFrozen in Maneuver => Terminated within 60 off 60 told GyroFrozen;
+    frozen_gyro_tracking: GyroFrozen in Tracking => Terminated within 35 off 35 told GyroFrozen;
+    frozen_gyro_maneuver: GyroFrozen in Maneuver => Terminated within 35 off 35 told GyroFrozen;
     saturated_gyro_tracking: GyroSaturated in Tracking => Terminated within 8 off 8 told GyroSaturated;
     saturated_gyro_maneuver: GyroSaturated in Maneuver => Terminated within 8 off 8 told GyroSaturated;
-    reversed_gyro_tracking: GyroReversed in Tracking => Terminated within 1000 off 1000 told Runaway;
-    reversed_gyro_maneuver: GyroReversed in Maneuver => Terminated within 1000 off 1000 told Runaway;
+    reversed_gyro_tracking: GyroReversed in Tracking => Terminated within 350 off 350 told GyroSaturated;
+    reversed_gyro_maneuver: GyroReversed in Maneuver => Terminated within 100 off 100 told GyroSaturated;
     bus_high_tracking: BusHigh in Tracking => Terminated within 12 off 12 told GyroMissing;
     bus_low_tracking: BusLow in Tracking => Terminated within 12 off 12 told GyroMissing;
     bus_low_disarmed: BusLow in Disarmed => Disarmed;
     loose_bus_tracking: BusLoose in Tracking => Tracking;
-    loose_bus_maneuver: BusLoose in Maneuver => Tracking within 200 told LostSamples;
+    loose_bus_maneuver: BusLoose in Maneuver => Tracking within 160 told LostSamples;
     noisy_edges_tracking: NoisyEdges in Tracking => Tracking;
-    noisy_edges_maneuver: NoisyEdges in Maneuver => Tracking within 1500;
+    noisy_edges_maneuver: NoisyEdges in Maneuver => Tracking within 490;
     // The link and the host.
     flipped_bits_tracking: FlippedBits in Tracking => Tracking;
     lost_bytes_tracking: LostBytes in Tracking => Tracking;
     line_noise_tracking: LineNoise in Tracking => Tracking;
     line_noise_disarmed: LineNoise in Disarmed => Disarmed;
     full_load_tracking: FullLoad in Tracking => Tracking;
-    full_load_maneuver: FullLoad in Maneuver => Tracking within 1500;
+    full_load_maneuver: FullLoad in Maneuver => Tracking within 490;
     link_cut_disarmed: LinkCut in Disarmed => Disarmed;
-    link_cut_armed: LinkCut in Armed => Disarmed within 510 off 510 told HeartbeatLost;
-    link_cut_tracking: LinkCut in Tracking => Landed within 2200 off 2200 told LinkLost;
-    link_cut_maneuver: LinkCut in Maneuver => Terminated within 4000 off 4000 told LinkLost;
+    link_cut_armed: LinkCut in Armed => Disarmed within 505 off 505 told HeartbeatLost;
+    link_cut_tracking: LinkCut in Tracking => Terminated within 2110 off 2110 told LinkLost;
+    link_cut_low: LinkCut in Low => Landed within 2100 off 2100 told LinkLost;
+    link_cut_maneuver: LinkCut in Maneuver => Terminated within 2500 off 2500 told LinkLost;
     setpoints_stop_armed: SetpointsStop in Armed => Armed;
-    setpoints_stop_tracking: SetpointsStop in Tracking => Landed within 2200 off 2200 told LinkLost;
+    setpoints_stop_tracking: SetpointsStop in Tracking => Terminated within 2110 off 2110 told LinkLost;
     emergency_stop_armed: EmergencyStop in Armed => Terminated within 5 off 5 told EmergencyStop;
     emergency_stop_disarmed: EmergencyStop in Disarmed => Terminated within 5 told EmergencyStop;
     emergency_stop_tracking: EmergencyStop in Tracking => Terminated within 5 off 5 told EmergencyStop;
@@ -77,20 +79,20 @@ rows! {
     disarm_tracking: Disarm in Tracking => Disarmed within 5 off 5;
     disarm_maneuver: Disarm in Maneuver => Disarmed within 5 off 5;
     // Motors and battery.
-    dead_motor_tracking: DeadMotor in Tracking => Terminated within 500 off 500 told Runaway;
-    dead_motor_maneuver: DeadMotor in Maneuver => Terminated within 1000 off 1000 told Runaway;
-    dead_signal_tracking: DeadSignal in Tracking => Terminated within 600 off 600 told Runaway;
+    dead_motor_tracking: DeadMotor in Tracking => Terminated within 300 off 300 told Runaway;
+    dead_motor_maneuver: DeadMotor in Maneuver => Terminated within 300 off 300 told Runaway;
+    dead_signal_tracking: DeadSignal in Tracking => Terminated within 400 off 400 told Runaway;
     battery_sag_tracking: BatterySag in Tracking => Tracking;
     battery_sag_maneuver: BatterySag in Maneuver => Tracking within 260 told BatterySag;
     sense_lost_disarmed: SenseLost in Disarmed => Disarmed;
     sense_lost_tracking: SenseLost in Tracking => Tracking;
-    sense_lost_maneuver: SenseLost in Maneuver => Tracking within 1500;
+    sense_lost_maneuver: SenseLost in Maneuver => Tracking within 490;
     // The processor.
     slow_lsi_tracking: LsiSlow in Tracking => Tracking;
     fast_lsi_tracking: LsiFast in Tracking => Tracking;
     stall_tracking: Stall in Tracking => Tracking;
     stall_maneuver: Stall in Maneuver => Tracking within 20 told LateTicks;
-    stall_recovery: Stall in Recovery => Landed within 2200 off 2200 told LinkLost;
+    stall_recovery: Stall in Recovery => Terminated within 1910 off 1910 told LinkLost;
     dead_tick_armed: TickDead in Armed => Boot within 150 off 150 told Watchdog;
     dead_tick_tracking: TickDead in Tracking => Boot within 150 off 150 told Watchdog;
     dead_tick_slow_lsi: TickDeadLsiSlow in Tracking => Boot within 230 off 230 told Watchdog;
@@ -145,6 +147,48 @@ fn the_document_says_what_the_tests_check() {
         "docs/safety.md says otherwise than the tests.\ntake out:\n{stale:#?}\nput in:\n{missing:#?}"
     );
     assert_eq!(lines, rows, "the same rows, in another order");
+}
+
+/// The document's table of transitions is the supervisor's.
+#[test]
+fn the_document_tells_the_supervisors_transitions() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/safety.md");
+    let document = std::fs::read_to_string(path).expect("the document");
+    let head = "| # | from | when | unless | to | reported |";
+    let (_, table) = document.split_once(head).unwrap_or_else(|| panic!("{path} has no table `{head}`"));
+    let lines: Vec<&str> = table.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    let rows: Vec<String> =
+        TRANSITIONS.iter().zip(1..).map(|(row, number)| transition_line(number, row)).collect();
+    assert_eq!(lines, rows, "put in:\n{}", rows.join("\n"));
+}
+
+fn transition_line(number: usize, row: &Transition) -> String {
+    let conditions = |set: Conditions| {
+        set.iter_names().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    };
+    let states = |set: States| {
+        let all = FlightState::ALL.into_iter().filter(|state| set.contains(States::from(*state)));
+        all.map(|state| format!("`{state:?}`")).collect::<Vec<_>>().join(", ")
+    };
+    let from = if row.from == States::all().difference(States::TERMINATED) {
+        "all but `Terminated`".to_owned()
+    } else if row.from.contains(States::MOTORS_ON) {
+        let others = states(row.from.difference(States::MOTORS_ON));
+        if others.is_empty() { "motors on".to_owned() } else { format!("motors on, {others}") }
+    } else {
+        states(row.from)
+    };
+    let reason = row.reason.map_or(String::new(), |reason| format!("`{reason:?}`"));
+    let cells = [
+        number.to_string(),
+        from,
+        conditions(row.when),
+        conditions(row.unless),
+        format!("`{:?}`", row.to),
+        reason,
+    ];
+    let cells = cells.map(|cell| if cell.is_empty() { " ".to_owned() } else { format!(" {cell} ") });
+    format!("|{}|", cells.join("|"))
 }
 
 /// No fault is declared twice for one phase: only the first would be tried.

@@ -27,11 +27,11 @@ fn change(vehicle: &mut VirtualVehicle, act: impl Fn(&mut CrsfReceiver)) {
 }
 
 /// Breaks in the hover; answers after how many ms the first motor was told to stop.
-fn killed_after_ms(act: impl Fn(&mut CrsfReceiver) + Copy + 'static) -> f64 {
+fn killed_after_ms(reason: AbortReason, act: impl Fn(&mut CrsfReceiver) + Copy + 'static) -> f64 {
     let mut bench = Bench::real(11)
         .at_power_up(plug_in)
         .then(Phase::Hover, IN_HOVER_MS, move |vehicle| change(vehicle, act));
-    assert_eq!(bench.assert_lost(), (FlightState::Stopped, Some(AbortReason::KillSwitch)));
+    assert_eq!(bench.assert_lost(), (FlightState::Terminated, Some(reason)));
     assert_eq!(bench.bugs(), [""; 0]);
     bench.stopped_after_ms()
 }
@@ -48,7 +48,7 @@ fn a_flight_with_a_receiver_is_a_flight() {
 
 #[test]
 fn the_switch_stops_the_motors() {
-    let after_ms = killed_after_ms(|receiver| receiver.channels[4] = CRSF_LOW);
+    let after_ms = killed_after_ms(AbortReason::KillSwitch, |receiver| receiver.channels[4] = CRSF_LOW);
     println!("kill switch: motors off after {after_ms:.2} ms");
     // A period of the receiver, a frame on the wire, two ticks.
     assert!(after_ms < 4.0 + 0.7 + 2.5 + 0.2, "{after_ms} ms");
@@ -57,11 +57,11 @@ fn the_switch_stops_the_motors() {
 #[test]
 fn a_receiver_that_is_not_heard_any_more_stops_the_motors() {
     for defect in [CrsfDefect::Silent, CrsfDefect::FlippedBit] {
-        let after_ms = killed_after_ms(move |receiver| receiver.defect = defect);
+        let after_ms = killed_after_ms(AbortReason::KillLost, move |receiver| receiver.defect = defect);
         println!("{defect:?}: motors off after {after_ms:.1} ms");
         assert!((244.0..257.0).contains(&after_ms), "{defect:?}: {after_ms} ms");
     }
-    let after_ms = killed_after_ms(|receiver| receiver.link_quality = 0);
+    let after_ms = killed_after_ms(AbortReason::KillLost, |receiver| receiver.link_quality = 0);
     println!("link lost: motors off after {after_ms:.1} ms");
     assert!(after_ms < 10.0 * 4.0 + 1.1 + 2.7, "{after_ms} ms");
 }

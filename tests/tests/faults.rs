@@ -9,9 +9,11 @@ use mintime::flight::{
 use mintime::flight_log::FlightSample;
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, PROTOCOL_VERSION, Refusal, Reply, Request, Setpoint, Uplink,
+    AbortReason, ArmingBlock, FlightState, PROTOCOL_VERSION, Purpose, Refusal, Reply, Request,
+    STAGE_CHUNK_BYTES, Setpoint, Uplink,
 };
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::{Fault, VehicleParameters};
 use mintime_tests::reference_cases;
 use nalgebra::Vector3;
@@ -487,8 +489,10 @@ impl ByHand {
     }
 
     fn commit(&mut self, table: &ManeuverTable) {
-        let staged = self.ask(Request::StageTable(bytes_of(table)));
-        assert!(matches!(staged, Ok(Reply::Staged { .. })), "{staged:?}");
+        for request in chunks_of(table) {
+            let staged = self.ask(request);
+            assert!(matches!(staged, Ok(Reply::Staged { .. })), "{staged:?}");
+        }
         let committed = self.ask(Request::CommitTable { checksum: table.checksum() });
         assert!(matches!(committed, Ok(Reply::Committed { .. })), "{committed:?}");
     }
@@ -498,6 +502,17 @@ fn bytes_of(table: &ManeuverTable) -> heapless::Vec<u8, MAX_TABLE_BYTES> {
     let mut buffer = [0; MAX_TABLE_BYTES];
     let length = table.encode(&mut buffer).expect("it fits");
     heapless::Vec::from_slice(&buffer[..length]).expect("it fits")
+}
+
+fn chunks_of(table: &ManeuverTable) -> Vec<Request> {
+    let bytes = bytes_of(table);
+    let pieces = bytes.chunks(STAGE_CHUNK_BYTES).enumerate();
+    let stage = |(n, piece): (usize, &[u8])| Request::Stage {
+        total: bytes.len() as u16,
+        offset: (n * STAGE_CHUNK_BYTES) as u16,
+        bytes: heapless::Vec::from_slice(piece).expect("a chunk"),
+    };
+    pieces.map(stage).collect()
 }
 
 /// What a bad host or a bad cable may send to an armed vehicle: each is counted or refused, and nothing changes.
@@ -530,11 +545,11 @@ fn bad_input_on_the_line_changes_nothing() {
 
     // An upload while armed.
     let other = table_of("general_5_5");
-    assert_eq!(hand.ask(Request::StageTable(bytes_of(&other))), Err(Refusal::MotorsOn));
+    assert_eq!(hand.ask(chunks_of(&other)[0].clone()), Err(Refusal::MotorsOn));
     assert_eq!(hand.ask(Request::CommitTable { checksum: other.checksum() }), Err(Refusal::MotorsOn));
     assert_eq!(hand.ask(Request::ReadTable), table);
     let bad = Setpoint { rates_radps: [f32::NAN, 0.0, 0.0], thrust_mps2: 15.0 };
-    assert_eq!(hand.ask(Request::Setpoint(bad)), Err(Refusal::NotFinite));
+    assert_eq!(hand.ask(Request::Setpoint { sequence: u16::MAX, setpoint: bad }), Err(Refusal::NotFinite));
     assert_eq!(hand.telemetry().state, FlightState::Armed);
     let last = hand.vehicle.into_trace().last.expect("truth");
     assert!(last.on_ground && last.contacts == 0);

@@ -3,12 +3,15 @@
 use mintime_shared::crc32;
 use mintime_shared::framing::{Decoder, FrameError, MAX_FRAME_BYTES, encode};
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, Downlink, FlightState, GyroFault, Identity, MAX_CHUNK_BYTES,
-    Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request, Setpoint,
-    Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event,
+    EventChunk, FlightState, GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch,
+    MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES, RecordChunk, RecordedTick, Refusal,
+    Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::model::LimitsError;
+use mintime_shared::settings::SettingsError;
 use mintime_shared::table::{MAX_TABLE_BYTES, TableError};
+use mintime_shared::vehicle::VehicleError;
 use proptest::prelude::*;
 use proptest::sample::select;
 use serde::{Serialize, de::DeserializeOwned};
@@ -88,12 +91,15 @@ fn request() -> impl Strategy<Value = Request> {
             Request::Disarm,
             Request::EmergencyStop
         ]),
-        bytes::<MAX_TABLE_BYTES>().prop_map(Request::StageTable),
+        (any::<u16>(), any::<u16>(), bytes::<STAGE_CHUNK_BYTES>())
+            .prop_map(|(total, offset, bytes)| Request::Stage { total, offset, bytes }),
         any::<u32>().prop_map(|checksum| Request::CommitTable { checksum }),
         any::<u32>().prop_map(|checksum| Request::Trigger { checksum }),
         any::<u32>().prop_map(|first| Request::ReadRecord { first }),
-        setpoint
-            .prop_map(|(rates_radps, thrust_mps2)| Request::Setpoint(Setpoint { rates_radps, thrust_mps2 })),
+        (any::<u16>(), setpoint).prop_map(|(sequence, (rates_radps, thrust_mps2))| Request::Setpoint {
+            sequence,
+            setpoint: Setpoint { rates_radps, thrust_mps2 },
+        }),
     ]
 }
 
@@ -103,35 +109,16 @@ prop_compose! {
     }
 }
 
-const STATES: [FlightState; 6] = [
-    FlightState::Disarmed,
-    FlightState::Armed,
-    FlightState::Tracking,
-    FlightState::Maneuver,
-    FlightState::Recovery,
-    FlightState::Terminated,
-];
+const STATES: [FlightState; 9] = FlightState::ALL;
 
-const ABORTS: [AbortReason; 11] = [
-    AbortReason::IdleTimeout,
-    AbortReason::OffPlan,
-    AbortReason::LateTicks,
-    AbortReason::LinkLost,
-    AbortReason::Runaway,
-    AbortReason::GyroSaturated,
-    AbortReason::GyroFrozen,
-    AbortReason::GyroMissing,
-    AbortReason::Clock,
-    AbortReason::KillSwitch,
-    AbortReason::EmergencyStop,
-];
+const ABORTS: [AbortReason; 16] = AbortReason::ALL;
 
 fn refusals() -> Vec<Refusal> {
     vec![
         Refusal::ProtocolVersion,
         Refusal::MotorsOn,
         Refusal::WrongState(FlightState::Terminated),
-        Refusal::ArmingBlocked(u16::MAX),
+        Refusal::ArmingBlocked(u32::MAX),
         Refusal::Table(TableError::Limits(LimitsError::CannotLift)),
         Refusal::Table(TableError::BeyondVehicle),
         Refusal::NotStaged,
@@ -141,6 +128,20 @@ fn refusals() -> Vec<Refusal> {
         Refusal::NotFinite,
         Refusal::NoRecord,
         Refusal::OutOfRange,
+        Refusal::BatteryThrust,
+        Refusal::OutsideGate,
+        Refusal::Gap { expected: u16::MAX },
+        Refusal::Vehicle(VehicleError::Outputs),
+        Refusal::Settings(SettingsError::Timeouts),
+        Refusal::NoSuchTable,
+        Refusal::StoreFull,
+        Refusal::StoreFailed,
+        Refusal::NoStore,
+        Refusal::NoSuchIncident,
+        Refusal::KillSwitch,
+        Refusal::NotSealed,
+        Refusal::Calibration(CalibrationError::Implausible),
+        Refusal::OtherPurpose,
     ]
 }
 
@@ -174,7 +175,7 @@ prop_compose! {
 
 prop_compose! {
     fn telemetry()(
-        time_us in any::<u64>(), state in select(&STATES[..]), arming_block in any::<u16>(),
+        time_us in any::<u64>(), state in select(&STATES[..]), arming_block in any::<u32>(),
         abort in prop::option::of(select(&ABORTS[..])), table in any::<u32>(), floats in prop::array::uniform5(float()),
         maneuver_complete in any::<bool>(), counts in prop::array::uniform8(any::<u32>()),
         board in prop::option::of(board()),
@@ -185,16 +186,17 @@ prop_compose! {
             maneuver_missed_ticks,
         ] = counts;
         Telemetry {
-            time_us, state, arming_block, abort, table, maneuver_s, maneuver_complete, maneuver_ticks,
+            time_us, state, arming_block, abort, incident: None, kill: KillSwitch::Lost, table, maneuver_s, maneuver_complete, maneuver_ticks,
             maneuver_missed_ticks, battery_v,
             rates_radps: [x, y, z], ticks, late_ticks, missing_samples, worst_interval_us, link_errors, recorded,
-            board,
+            up_body: [z, x, y], setpoints_lost: ticks, events: recorded, board,
         }
     }
 }
 
 fn reply() -> impl Strategy<Value = Reply> {
     let identity = (any::<[u8; 3]>(), any::<u32>(), any::<u32>(), float(), float());
+    let events = prop::collection::vec((any::<u32>(), any::<u16>()), 0..=EVENTS_PER_CHUNK);
     let record = (any::<u32>(), any::<u32>(), bytes::<MAX_CHUNK_BYTES>());
     prop_oneof![
         identity.prop_map(|(firmware_version, table_schema, vehicle, thrust_max_mps2, rate_max_radps)| {
@@ -202,13 +204,22 @@ fn reply() -> impl Strategy<Value = Reply> {
                 firmware_version,
                 table_schema,
                 vehicle,
+                session: vehicle,
+                paired: table_schema.is_multiple_of(2),
+                thrust_min_mps2: rate_max_radps,
                 thrust_max_mps2,
                 rate_max_radps,
             })
         }),
-        telemetry().prop_map(Reply::Status),
+        telemetry().boxed().prop_map(Reply::Status).boxed(),
         any::<u16>().prop_map(|length| Reply::Staged { length }),
-        float().prop_map(|duration_s| Reply::Committed { duration_s }),
+        (any::<u32>(), float()).prop_map(|(checksum, duration_s)| Reply::Committed { checksum, duration_s }),
+        (any::<u32>(), any::<u32>(), events).prop_map(|(first, newest, events)| {
+            let events = events.into_iter();
+            let events =
+                events.map(|(time_ms, n)| Event { time_ms, what: Happening::Acknowledged(n) }).collect();
+            Reply::Events(EventChunk { first, newest, events })
+        }),
         bytes::<MAX_TABLE_BYTES>().prop_map(Reply::Table),
         record.prop_map(|(first, total, bytes)| Reply::Record(RecordChunk { first, total, bytes })),
         Just(Reply::Done),
@@ -218,10 +229,10 @@ fn reply() -> impl Strategy<Value = Reply> {
 
 fn downlink() -> impl Strategy<Value = Downlink> {
     let message = prop_oneof![
-        (any::<u16>(), reply()).prop_map(|(number, reply)| Message::Reply { number, reply }),
-        telemetry().prop_map(Message::Telemetry),
+        (any::<u16>(), reply().boxed()).prop_map(|(number, reply)| Message::Reply { number, reply }),
+        telemetry().boxed().prop_map(Message::Telemetry).boxed(),
     ];
-    (any::<u8>(), message).prop_map(|(version, message)| Downlink { version, message })
+    (any::<u8>(), message.boxed()).prop_map(|(version, message)| Downlink { version, message }).boxed()
 }
 
 /// What happens to one byte on the way.
@@ -396,14 +407,14 @@ proptest! {
         interval_us in any::<u16>(), gyro in prop::option::of(prop::array::uniform3(-34.9f32..34.9)),
         rate_radps in -34.9f32..34.9, thrust_mps2 in 0f32..65.0, throttle in prop::array::uniform4(0f32..=1.0),
     ) {
-        let tick = RecordedTick { interval_us, gyro_radps: gyro, rate_radps, thrust_mps2, throttle };
+        let tick = RecordedTick { interval_us, gyro_radps: gyro, rate_radps, thrust_mps2, throttle, flags: interval_us ^ 0x55 };
         let back = RecordedTick::from_bytes(&tick.to_bytes());
-        prop_assert_eq!(back.interval_us, interval_us);
+        prop_assert_eq!((back.interval_us, back.flags), (interval_us, interval_us ^ 0x55));
         prop_assert_eq!(back.gyro_radps.is_some(), gyro.is_some());
         let near = |a: f32, b: f32, step: f32| (a - b).abs() <= 0.51 * step;
         prop_assert!(near(back.rate_radps, rate_radps, 35.0 / 32767.0));
         prop_assert!(near(back.thrust_mps2, thrust_mps2, 1e-3));
-        for (a, b) in back.throttle.iter().zip(throttle) { prop_assert!(near(*a, b, 1.1 / 65535.0)); }
+        for (a, b) in back.throttle.iter().zip(throttle) { prop_assert!(near(*a, b, 1.1 / 4095.0)); }
         for (a, b) in back.gyro_radps.iter().flatten().zip(gyro.iter().flatten()) {
             prop_assert!(near(*a, *b, 35.0 / 32767.0));
         }
@@ -415,7 +426,7 @@ proptest! {
     fn a_recorded_tick_takes_any_number(words in prop::array::uniform9(float())) {
         let [x, y, z, rate_radps, thrust_mps2, a, b, c, d] = words;
         let tick = RecordedTick {
-            interval_us: 0, gyro_radps: Some([x, y, z]), rate_radps, thrust_mps2, throttle: [a, b, c, d],
+            interval_us: 0, gyro_radps: Some([x, y, z]), rate_radps, thrust_mps2, throttle: [a, b, c, d], flags: 0,
         };
         let back = RecordedTick::from_bytes(&tick.to_bytes());
         prop_assert!(back.gyro_radps.is_some());
@@ -432,8 +443,13 @@ fn the_largest_messages_fit() {
     let telemetry = Telemetry {
         time_us: u64::MAX,
         state: FlightState::Terminated,
-        arming_block: u16::MAX,
+        arming_block: u32::MAX,
         abort: Some(AbortReason::EmergencyStop),
+        incident: Some(Incident {
+            number: u16::MAX,
+            cause: IncidentCause::HardFault { pc: u32::MAX, cfsr: u32::MAX },
+        }),
+        kill: KillSwitch::Run,
         table: u32::MAX,
         maneuver_s: f32::MAX,
         maneuver_complete: true,
@@ -441,12 +457,15 @@ fn the_largest_messages_fit() {
         maneuver_missed_ticks: u32::MAX,
         battery_v: f32::MAX,
         rates_radps: [f32::MIN; 3],
+        up_body: [f32::MIN; 3],
         ticks: u32::MAX,
         late_ticks: u32::MAX,
         missing_samples: u32::MAX,
         worst_interval_us: u32::MAX,
         link_errors: u32::MAX,
+        setpoints_lost: u32::MAX,
         recorded: u32::MAX,
+        events: u32::MAX,
         board: Some(BoardTelemetry {
             gyro_fault: Some(GyroFault::Chip(u8::MAX)),
             latency_ns: u32::MAX,
@@ -463,7 +482,7 @@ fn the_largest_messages_fit() {
     };
     // What the protocol's description says.
     let status = Message::Reply { number: u16::MAX, reply: Reply::Status(telemetry) };
-    assert_eq!(frame_of(&Downlink { version: PROTOCOL_VERSION, message: status }).len(), 144);
+    assert_eq!(frame_of(&Downlink { version: PROTOCOL_VERSION, message: status }).len(), 184);
 
     let chunk = RecordChunk {
         first: u32::MAX,
@@ -471,7 +490,8 @@ fn the_largest_messages_fit() {
         bytes: heapless::Vec::from_slice(&full(MAX_CHUNK_BYTES)).expect("it fits"),
     };
     let mut largest = 0;
-    let request = Request::StageTable(table.clone());
+    let bytes = heapless::Vec::from_slice(&full(STAGE_CHUNK_BYTES)).expect("it fits");
+    let request = Request::Stage { total: u16::MAX, offset: u16::MAX, bytes };
     largest = largest.max(frame_of(&Uplink { version: 255, number: u16::MAX, request }).len());
     for reply in [Reply::Status(telemetry), Reply::Table(table), Reply::Record(chunk)] {
         let message = Message::Reply { number: u16::MAX, reply };
@@ -540,17 +560,22 @@ fn every_frame_error_is_reachable() {
 #[test]
 fn the_bytes_on_the_line_are_these() {
     let hex = |bytes: &[u8]| bytes.iter().map(|b| format!("{b:02x}")).collect::<String>();
-    assert_eq!(PROTOCOL_VERSION, 2);
+    assert_eq!(PROTOCOL_VERSION, 3);
     let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
-    assert_eq!(up(1, Request::Identify), "030201053d3cdee500");
-    assert_eq!(up(300, Request::Setpoint(setpoint)), "0502ac02080103803f010102c001010a3fc3f51c415050147200");
-    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e02ad0209f8acd191017fe7c8a500");
+    assert_eq!(up(1, Request::Identify), "030301050a561ce400");
+    assert_eq!(
+        up(300, Request::Setpoint { sequence: 7, setpoint }),
+        "0603ac0216070103803f010102c001010a3fc3f51c41ecd74fe400"
+    );
+    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e03ad0217f8acd19101d7906f8b00");
     let telemetry = Telemetry {
         time_us: 1_000_000,
         state: FlightState::Tracking,
         arming_block: ArmingBlock::MOVING.0,
         abort: Some(AbortReason::OffPlan),
+        incident: Some(Incident { number: 2, cause: IncidentCause::Watchdog }),
+        kill: KillSwitch::Run,
         table: 0xdead_beef,
         maneuver_s: 1.5,
         maneuver_complete: true,
@@ -558,21 +583,24 @@ fn the_bytes_on_the_line_are_these() {
         maneuver_missed_ticks: 4,
         battery_v: 15.25,
         rates_radps: [0.25, -0.5, 1.0],
+        up_body: [0.0, 0.0, 1.0],
         ticks: 800,
         late_ticks: 1,
         missing_samples: 2,
         worst_interval_us: 1300,
         link_errors: 3,
+        setpoints_lost: 4,
         recorded: 1129,
+        events: 17,
         board: None,
     };
     let down = |message| hex(&frame_of(&Downlink { version: PROTOCOL_VERSION, message }));
     assert_eq!(
         down(Message::Telemetry(telemetry)),
-        "0f0201c0843d02100101effdb6f50d0107c03f01e90804010374410103803e010102bf010c803fa0060102940a03e908056e2011e700"
+        "130301c0843d0410010301020803effdb6f50d0107c03f01e90804010374410103803e010102bf0103803f0101010101010101010e803fa0060102940a0304e9081105c12d984900"
     );
     let refused = Reply::Refused(Refusal::Table(TableError::Limits(LimitsError::CannotLift)));
-    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02020bad020704050651488ff600");
+    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02030bad020c040506cecf24ed00");
 }
 
 /// Every refusal says something a person can act on, in one line.
@@ -583,6 +611,6 @@ fn refusals_are_sentences() {
     for text in &texts {
         assert!(text.len() > 10 && !text.contains('\n'), "{text}");
     }
-    assert_eq!(ArmingBlock(u16::MAX).to_string().split("; ").count(), ArmingBlock::REASONS.len());
+    assert_eq!(ArmingBlock(u32::MAX).to_string().split("; ").count(), ArmingBlock::REASONS.len());
     assert_eq!(ArmingBlock::none().to_string(), "no reason");
 }

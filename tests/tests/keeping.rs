@@ -3,7 +3,7 @@
 
 mod logic;
 
-use logic::{BOTH, Bench, Store, bytes_of, chunk, chunks, made_for, table, table_of};
+use logic::{BOTH, Bench, Store, bytes_of, chunk, made_for, table, table_of};
 use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::keeping::Key;
@@ -57,7 +57,7 @@ fn chunks_may_be_lost_doubled_reordered_and_overlap() {
     let mut bench = Bench::ready();
     // Lost: the next one does not join, and says where to go on.
     assert_eq!(bench.ask(chunk(n, 0, &bytes[..40])), held(40));
-    assert_eq!(bench.refusal(chunk(n, 80, &bytes[80..120])), Refusal::Gap { expected: 40 });
+    assert_eq!(bench.refusal(chunk(n, 80, &bytes[80..110])), Refusal::Gap { expected: 40 });
     assert_eq!(bench.refusal(Request::CommitTable { checksum }), Refusal::Gap { expected: 40 });
     // Doubled: held as before.
     assert_eq!(bench.ask(chunk(n, 0, &bytes[..40])), held(40));
@@ -66,7 +66,7 @@ fn chunks_may_be_lost_doubled_reordered_and_overlap() {
     // Late, from before: what came after it stays.
     assert_eq!(bench.ask(chunk(n, 0, &bytes[..40])), held(80));
     // Overlapping with the same bytes.
-    assert_eq!(bench.ask(chunk(n, 60, &bytes[60..n.min(188)])), held(n.min(188)));
+    assert_eq!(bench.ask(chunk(n, 60, &bytes[60..105])), held(105));
     assert_eq!(bench.ask(chunk(n, 100, &bytes[100..])), held(n));
     let committed = Reply::Committed { checksum, duration_s: table().duration_s() };
     assert_eq!(bench.ask(Request::CommitTable { checksum }), committed);
@@ -137,7 +137,7 @@ proptest! {
         // And the way back to a known state is always open.
         prop_assert_eq!(bench.stage(&bytes_of(&tables[0])), held(bytes_of(&tables[0]).len()));
         let committed = bench.ask(Request::CommitTable { checksum: tables[0].checksum() });
-        prop_assert!(matches!(committed, Reply::Committed { .. }));
+        prop_assert!(matches!(committed, Reply::Committed { .. }), "{:?}", committed);
     }
 }
 
@@ -428,10 +428,4 @@ fn incidents_are_acknowledged_by_number() {
         assert_eq!(bench.ask(right), Reply::Done, "its answer was lost and it comes again");
     }
     bench.arm();
-}
-
-#[test]
-fn stages_are_as_many_chunks_as_it_takes() {
-    assert_eq!(chunks(&[1; 128]).len(), 1);
-    assert_eq!(chunks(&[1; 129]).len(), 2);
 }

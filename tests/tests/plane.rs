@@ -142,7 +142,7 @@ fn every_direction_is_flown_as_well_as_straight_ahead() {
     };
     let straight = miss(0.0);
     println!("heading 0: {straight:.3} m");
-    for heading in [4f64.atan2(3.0), -2.356_194, 1.570_796, 2.8] {
+    for heading in [4f64.atan2(3.0), -2.356_194, std::f64::consts::FRAC_PI_2, 2.8] {
         let turned = miss(heading);
         println!("heading {heading}: {turned:.3} m");
         assert!(turned < 1.3 * straight + 0.1, "{heading}: {turned} m, straight {straight} m");

@@ -164,7 +164,7 @@ fn cases() -> Vec<Case> {
     let mut low = Bench::ready();
     low.battery_v = Some(13.9);
     all.push(case(low, ARM, Refusal::ArmingBlocked(ArmingBlock::BATTERY_LOW.0), |bench| {
-        bench.battery_v = Some(15.5)
+        bench.battery_v = Some(15.5);
     }));
 
     // Tables.
@@ -372,7 +372,10 @@ fn every_refusal_comes_when_it_must_and_changes_nothing() {
         match then {
             Some(then) => assert_eq!(reply, then, "{request:?}"),
             None => {
-                assert!(!matches!(reply, Reply::Refused(_)), "{request:?} after its cause is gone: {reply:?}")
+                assert!(
+                    !matches!(reply, Reply::Refused(_)),
+                    "{request:?} after its cause is gone: {reply:?}"
+                );
             }
         }
     }

@@ -154,7 +154,7 @@ fn promises(from: FlightState, c: Conditions, taken: Step) -> Result<(), &'stati
         !(from == S::Maneuver && to == from && c.contains(C::ABANDON)) || c.contains(C::FRESH),
         "a maneuver to be given up without its link is",
     )?;
-    ensure(!(from == S::Recovery && to == from) || !c.contains(C::RECOVERY_OVER), "a recovery ends in time")?;
+    ensure(!(from == S::Recovery && to == from && c.contains(C::RECOVERY_OVER)), "a recovery ends in time")?;
     ensure(to != S::Terminated || from == to || reason.is_some(), "whoever is terminated is told why")?;
     // Of several reasons the gravest that holds, and none that does not. A person's own wish needs none.
     let asked = reason.is_none() && c.contains(C::DISARM) && to == S::Disarmed;

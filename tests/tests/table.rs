@@ -8,8 +8,8 @@ use mintime_shared::model::{Inputs, Limits, LimitsError, RateMode, Segment, Stat
 use mintime_shared::motion::{Arc, advance, bang, singular};
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
 use mintime_shared::table::{
-    ANY_VEHICLE, ArcProfile, Kind, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits, SCHEMA_HASH,
-    TableError, TableHeader,
+    ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits,
+    SCHEMA_HASH, TableError, TableHeader,
 };
 use mintime_tests::{ReferenceCase, reference_cases};
 use proptest::prelude::*;
@@ -40,19 +40,20 @@ mod at {
 
     pub(super) const VEHICLE: Range<usize> = 4..8;
     pub(super) const KIND: usize = 8;
-    pub(super) const THRUST_MIN: usize = 9;
-    pub(super) const THRUST_MAX: usize = 13;
-    pub(super) const RATE: usize = 17;
-    pub(super) const GRAVITY: usize = 21;
-    pub(super) const HEADING: usize = 25;
-    pub(super) const START: usize = 29;
-    pub(super) const END: usize = 49;
-    pub(super) const OPTION: usize = 69;
-    pub(super) const WIDTH: usize = 70;
-    pub(super) const PEAK: usize = 74;
+    pub(super) const LINK: usize = 9;
+    pub(super) const THRUST_MIN: usize = 10;
+    pub(super) const THRUST_MAX: usize = 14;
+    pub(super) const RATE: usize = 18;
+    pub(super) const GRAVITY: usize = 22;
+    pub(super) const HEADING: usize = 26;
+    pub(super) const START: usize = 30;
+    pub(super) const END: usize = 50;
+    pub(super) const OPTION: usize = 70;
+    pub(super) const WIDTH: usize = 71;
+    pub(super) const PEAK: usize = 75;
     /// In a table with arcs.
-    pub(super) const COUNT: usize = 78;
-    pub(super) const SEGMENTS: usize = 79;
+    pub(super) const COUNT: usize = 79;
+    pub(super) const SEGMENTS: usize = 80;
 }
 
 /// Changes the body of a table and makes its checksum hold again.
@@ -151,7 +152,7 @@ proptest! {
     fn a_valid_table_survives_the_wire(table in valid_table()) {
         let bytes = bytes_of(&table);
         let arcs = if table.arcs.is_some() { 8 } else { 0 };
-        prop_assert_eq!(bytes.len(), 75 + arcs + 5 * table.segments().len());
+        prop_assert_eq!(bytes.len(), 76 + arcs + 5 * table.segments().len());
         let back = ManeuverTable::decode(&bytes);
         prop_assert_eq!(back.as_ref(), Ok(&table));
         prop_assert_eq!(&bytes[bytes.len() - 4..], &table.checksum().to_le_bytes()[..]);
@@ -236,7 +237,8 @@ proptest! {
         }
         let arcs = Some(ArcProfile { width_s, peak_s: before + part * duration });
         let mut header = TableHeader {
-            vehicle: ANY_VEHICLE, kind: Kind::Learned, limits, heading_rad: 0.0,
+            vehicle: ANY_VEHICLE, kind: Kind::Learned, link: LinkPolicy::Finish,
+            limits, heading_rad: 0.0,
             start: State::origin(), end: State::origin(),
         };
         // A turn too sharp for arithmetic leads nowhere.
@@ -308,8 +310,9 @@ fn every_reference_case_survives_the_wire() {
 #[test]
 fn five_five_fits_128_bytes_on_the_wire() {
     let bytes = heapless::Vec::from_slice(&bytes_of(&five_five())).expect("it fits");
-    assert_eq!(bytes.len(), 113);
-    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request: Request::StageTable(bytes) };
+    assert_eq!(bytes.len(), 114);
+    let request = Request::Stage { total: 114, offset: 0, bytes };
+    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request };
     let frame = encode(&uplink).expect("it fits a frame");
     assert!(frame.as_bytes().len() <= 128, "{} bytes", frame.as_bytes().len());
 }
@@ -322,9 +325,9 @@ fn the_bytes_of_five_five_are_these() {
     assert_eq!(hex, FIVE_FIVE);
 }
 
-const FIVE_FIVE: &str = "4cd84f6a00000000000000803f0000a04100002041c3f51c41\
+const FIVE_FIVE: &str = "f870d22f0000000000000000803f0000a04100002041c3f51c41\
     0000000000000000000000000000000000000000000000000000a040000000000000a0400000000000000000\
-    0176bd44bcdaa66c3f060478ff503d06666f393f05f59d983e066351a63d0470b41e3e00bc00d03dfcc65217";
+    0176bd44bcdaa66c3f060478ff503d06666f393f05f59d983e066351a63d0470b41e3e00bc00d03d1d5fad15";
 
 /// Every reason at least once, for the input that it names. A new reason without a case here fails to compile.
 #[test]
@@ -342,6 +345,7 @@ fn every_refusal_has_its_reason() {
         ("noise", ManeuverTable::decode(&[0x55; 113]), TableError::Checksum),
         ("another schema", forged(&table, |b| b[0] ^= 1), TableError::Schema),
         ("an unknown kind", forged(&table, |b| b[at::KIND] = 3), TableError::Malformed),
+        ("an unknown link policy", forged(&table, |b| b[at::LINK] = 2), TableError::Malformed),
         ("an unknown rate mode", forged(&table, |b| b[at::SEGMENTS] = 3), TableError::Malformed),
         ("an unknown thrust level", forged(&table, |b| b[at::SEGMENTS] = 8), TableError::Malformed),
         ("bytes too many", forged(&table, |b| b.push(0)), TableError::Malformed),
@@ -520,10 +524,10 @@ fn every_single_bit_flip_is_refused() {
 #[test]
 fn a_buffer_too_small_is_refused() {
     let table = five_five();
-    for length in 0..113 {
+    for length in 0..114 {
         assert_eq!(table.encode(&mut vec![0; length]), Err(TableError::Length));
     }
-    assert_eq!(table.encode(&mut [0; 113]), Ok(113));
+    assert_eq!(table.encode(&mut [0; 114]), Ok(114));
 }
 
 /// Costates at the edges of what an arc profile can be made of.

@@ -104,7 +104,7 @@ proptest! {
     fn wiring_is_applied_once(which in 0usize..24, values in prop::array::uniform4(0f32..1.0)) {
         let outputs = permutations()[which];
         let config = VehicleConfig { outputs, ..REFERENCE };
-        prop_assert!(config.is_sound());
+        prop_assert!(config.check().is_ok());
         let lines = to_outputs(&config, values);
         for place in 0..4 {
             prop_assert_eq!(lines[usize::from(outputs[place])], values[place]);
@@ -122,7 +122,7 @@ proptest! {
     #[test]
     fn bad_wiring_is_found_out(outputs in prop::array::uniform4(prop::num::u8::ANY)) {
         let config = VehicleConfig { outputs, ..REFERENCE };
-        prop_assert_eq!(config.is_sound(), permutations().contains(&outputs));
+        prop_assert_eq!(config.check().is_ok(), permutations().contains(&outputs));
         to_outputs(&config, [1.0; 4]);
     }
 }
@@ -130,8 +130,8 @@ proptest! {
 #[test]
 fn impossible_models_are_found_out_and_each_is_another_vehicle() {
     for bad in [-0.1, 1.1, f32::NAN] {
-        assert!(!VehicleConfig { thrust_linear_share: bad, ..REFERENCE }.is_sound());
-        assert!(!VehicleConfig { sag_v_per_n: bad, ..REFERENCE }.is_sound());
+        assert!(VehicleConfig { thrust_linear_share: bad, ..REFERENCE }.check().is_err());
+        assert!(VehicleConfig { sag_v_per_n: bad, ..REFERENCE }.check().is_err());
     }
     let others = [
         VehicleConfig { thrust_linear_share: 0.2, ..REFERENCE },

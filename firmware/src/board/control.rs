@@ -61,6 +61,8 @@ struct Control {
     /// `None` until it is set up, for ever if it cannot be.
     imu: Option<Imu>,
     gyro_pending: bool,
+    /// It has given a sample.
+    gyro_seen: bool,
     receiver: Receiver,
     radio: RadioReceiver,
     motors: Motors,
@@ -97,6 +99,7 @@ pub(super) fn start(
         vehicle,
         imu: None,
         gyro_pending: true,
+        gyro_seen: false,
         receiver,
         radio,
         motors,
@@ -113,6 +116,8 @@ pub(super) fn start(
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
     });
+    // Before the first tick, or the flight logic would take the board for one that has started.
+    control.publish();
     control.arm_timer();
     HANDLE.lock(|handle| handle.set(Some(control)));
     // SAFETY: the handlers have what they need; nothing relies on these interrupts being masked.
@@ -157,7 +162,9 @@ impl Control {
         if let Some(now_us) = self.pacer.edge(at_us) {
             self.finish_frame();
             let sample = self.imu.as_mut().and_then(Imu::sample);
-            let failed = u32::from(sample.is_none());
+            // The sensor's first samples after it is switched on are zeros: none, but no errors either.
+            self.gyro_seen |= sample.is_some();
+            let failed = u32::from(sample.is_none() && self.gyro_seen);
             self.measured.gyro_errors = self.measured.gyro_errors.saturating_add(failed);
             self.tick(now_us, sample, Some(edge));
             self.keep_run_time(begin);

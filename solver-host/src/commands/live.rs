@@ -2,22 +2,21 @@
 
 use std::error::Error;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::Args;
-use mintime::flight::{Connection as _, ConnectionError, FlightPlan, Phase, Pose, Trace, Witness, fly};
+use mintime::flight::{Connection as _, ConnectionError, FlightPlan, Phase, Pose, Witness, fly};
 use mintime::mission::{Flown, Mission, Prepared, Room, prepare_for};
 use mintime::motion_capture::{Capture, CaptureOptions, Volume};
 use mintime::vehicle::{LiveOptions, LiveVehicle, PortLink, Session, read_key};
 use nalgebra::Vector3;
 
 use super::keyboard::Keyboard;
+use super::seen::Seen;
 
-/// What a flight of a real vehicle needs besides.
+/// Where a real vehicle is seen.
 #[derive(Args)]
-pub(crate) struct LiveArguments {
+pub(crate) struct MocapArguments {
     /// Where poses come from, for a real vehicle: JSON lines over UDP (udp:ADDRESS:PORT to listen on) or standard input (-).
     /// The format is in docs/motion-capture.md
     #[arg(long, value_name = "udp:0.0.0.0:5005|-")]
@@ -28,6 +27,13 @@ pub(crate) struct LiveArguments {
     /// Shortest time from the cameras' picture until its pose is here, s
     #[arg(long, value_name = "S", default_value_t = 0.005, requires = "mocap")]
     mocap_latency: f64,
+}
+
+/// What a flight of a real vehicle needs besides.
+#[derive(Args)]
+pub(crate) struct LiveArguments {
+    #[command(flatten)]
+    eyes: MocapArguments,
     /// The pairing key, where the vehicle is paired: a file with 32 hexadecimal digits
     #[arg(long, value_name = "FILE", requires = "mocap")]
     key: Option<PathBuf>,
@@ -51,47 +57,43 @@ impl Live {
     }
 }
 
-impl LiveArguments {
+impl MocapArguments {
     /// Whether any of them was given.
     pub(crate) fn are_given(&self) -> bool {
         self.mocap.is_some()
     }
 
-    /// Asks the vehicle what it is, and plans for it. Nothing moves.
-    pub(crate) fn prepare(&self, port: &str, mission: &Mission) -> Result<Live, Box<dyn Error>> {
+    /// What can be refused before anything is opened. Returns the room, which must be known on all sides.
+    pub(crate) fn check(&self, room: Option<Room>) -> Result<Room, Box<dyn Error>> {
         if self.mocap.is_none() {
             return Err("a real vehicle needs eyes: say where poses come from with --mocap".into());
         }
         if !(0.0..=0.2).contains(&self.mocap_latency) {
             return Err("--mocap-latency must be between 0 and 0.2 s".into());
         }
-        let room = mission.room.filter(|room| room.y_m.is_some()).ok_or(
+        let known = room.filter(|room| room.y_m.is_some()).ok_or(
             "a real vehicle flies only in a room that is known: give --room with six numbers, \
              XMIN,XMAX,YMIN,YMAX,ZMIN,ZMAX from the start of the maneuver",
         )?;
-        let key = self.key.as_deref().map(read_key).transpose()?;
-        let mut session = Session::begin(PortLink::open(port)?, key)?;
-        let config = session.vehicle()?.ok_or(
-            "the vehicle does not know what it is: write its file with `mintime vehicle PORT params --file` first",
-        )?;
-        let prepared = prepare_for(&mission.source, Some(&room), &config)?;
-        Ok(Live { link: session.into_link(), prepared, room, key })
+        Ok(known)
     }
 
-    /// Flies. The vehicle stands below the start; the start is above it by the room's depth.
-    pub(crate) fn fly(&self, live: Live, witness: &mut impl Witness) -> Result<Flown, Box<dyn Error>> {
-        let Live { link, prepared, room, key } = live;
-        let clock = Instant::now();
+    /// Opens the cameras and the keyboard, finds the vehicle and confines it to the room, which is seen from the start: above
+    /// the vehicle by the room's depth.
+    pub(crate) fn watch(
+        &self,
+        link: PortLink,
+        options: LiveOptions,
+        room: &Room,
+    ) -> Result<Watched, Box<dyn Error>> {
         let source = self.mocap.as_deref().unwrap_or_default();
-        let options =
+        let capture =
             CaptureOptions { name: self.mocap_name.clone(), room: None, latency_s: self.mocap_latency };
-        let capture = Capture::open(source, options, link.began())?;
-        let stop = Arc::new(AtomicBool::new(false));
-        let keyboard = Keyboard::watch(&stop)?;
+        let capture = Capture::open(source, capture, link.began())?;
+        let keyboard = Keyboard::watch(&options.stop)?;
         let keys = if keyboard.hears() { "any key" } else { "Ctrl-C" };
         eprintln!("mintime: {keys} switches the motors off; the vehicle then falls");
-        let maneuver_s = f64::from(prepared.table.duration_s());
-        let mut vehicle = LiveVehicle::new(link, capture, LiveOptions { maneuver_s, stop, key });
+        let mut vehicle = LiveVehicle::new(link, capture, options);
 
         let ground = first_pose(&mut vehicle)?.position_m;
         let start_m = ground - Vector3::z() * room.z_m.0;
@@ -105,16 +107,62 @@ impl LiveArguments {
                 (low - FLOOR_MARGIN_M, high),
             ],
         });
-        let plan = FlightPlan { table: prepared.table.clone(), start_m, vehicle: None };
-        let flight = fly(&mut vehicle, &plan, witness);
-        drop(keyboard);
+        Ok(Watched { vehicle, start_m, _keyboard: keyboard })
+    }
+}
+
+/// A real vehicle that is seen, while a key stops it.
+pub(crate) struct Watched {
+    pub(crate) vehicle: LiveVehicle,
+    /// Where the maneuver starts, world frame, m.
+    start_m: Vector3<f64>,
+    _keyboard: Keyboard,
+}
+
+impl Watched {
+    /// The link, for somebody else; keys mean nothing any more.
+    pub(crate) fn into_link(self) -> PortLink {
+        self.vehicle.into_link()
+    }
+}
+
+impl LiveArguments {
+    /// Whether any of them was given.
+    pub(crate) fn are_given(&self) -> bool {
+        self.eyes.are_given()
+    }
+
+    /// Asks the vehicle what it is, and plans for it. Nothing moves.
+    pub(crate) fn prepare(&self, port: &str, mission: &Mission) -> Result<Live, Box<dyn Error>> {
+        let room = self.eyes.check(mission.room)?;
+        let key = self.key.as_deref().map(read_key).transpose()?;
+        let mut session = Session::begin(PortLink::open(port)?, key)?;
+        let config = session.vehicle()?.ok_or(
+            "the vehicle does not know what it is: write its file with `mintime vehicle PORT params --file` first",
+        )?;
+        let prepared = prepare_for(&mission.source, Some(&room), &config)?;
+        Ok(Live { link: session.into_link(), prepared, room, key })
+    }
+
+    /// Flies. The vehicle stands below the start; the start is above it by the room's depth.
+    pub(crate) fn fly(&self, live: Live, witness: &mut impl Witness) -> Result<Flown, Box<dyn Error>> {
+        let Live { link, prepared, room, key } = live;
+        let clock = Instant::now();
+        let maneuver_s = f64::from(prepared.table.duration_s());
+        let options = LiveOptions { maneuver_s, key, ..LiveOptions::default() };
+        let mut watched = self.eyes.watch(link, options, &room)?;
+        let plan = FlightPlan { table: prepared.table.clone(), start_m: watched.start_m, vehicle: None };
+        let mut seen = Seen::new(witness, &prepared.table);
+        let flight = fly(&mut watched.vehicle, &plan, &mut seen);
+        let trace = seen.into_trace();
+        drop(watched);
         let wall_time_s = clock.elapsed().as_secs_f64();
         Ok(Flown {
             prepared,
             flight,
             vehicle: "real",
             emulated: None,
-            trace: Trace::default(),
+            trace,
             virtual_time_s: wall_time_s,
             wall_time_s,
         })

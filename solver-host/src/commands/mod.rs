@@ -10,6 +10,7 @@ mod live;
 mod numbers;
 mod progress;
 mod recording;
+mod seen;
 mod solve;
 mod stop;
 mod summary;
@@ -45,7 +46,7 @@ pub(crate) enum Command {
     ///
     /// Sends emergency stops until the vehicle confirms one. The exit status is 0 only then.
     Stop(stop::Stop),
-    /// Talk to a vehicle on the bench: identify, parameters, tables, calibration, motor test, record, events.
+    /// Talk to a vehicle on the bench: identity, parameters, tables, calibration, motor test, record, events; or identify it in flight.
     Vehicle(vehicle::Vehicle),
     /// Run the firmware image on an emulated flight controller behind a serial port, in real time.
     ///

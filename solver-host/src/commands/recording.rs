@@ -128,13 +128,13 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
     let outcome = flown.outcome();
     ReportData {
         title: format!("Minimum-time maneuver to {}", target(&flown.prepared)),
-        subtitle: [Some(match flown.vehicle {
-            "real" => format!("T = {duration_s:.4} s; flown on a real vehicle: {outcome}"),
-            vehicle => format!(
-                "T = {duration_s:.4} s; flown on the {vehicle} vehicle, plant {}, seed {}: {outcome}",
-                mission.plant.name, mission.seed
-            ),
-        })]
+        subtitle: [Some(format!(
+            "T = {duration_s:.4} s; flown {}: {outcome}",
+            match flown.vehicle {
+                "real" => "on the real vehicle, as the cameras saw it".to_owned(),
+                kind => format!("on the {kind} vehicle, plant {}, seed {}", mission.plant.name, mission.seed),
+            }
+        ))]
         .into_iter()
         .chain([flown.reason()])
         .flatten()
@@ -152,10 +152,11 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
 
 /// The flight around the maneuver, in the plan's coordinates: time and position from the true start.
 fn flown_samples(flown: &Flown, duration_s: f64) -> Vec<FlownSample> {
-    let (Some(start_ns), Some(start)) = (flown.trace.start_ns, flown.trace.start.as_ref()) else {
-        return Vec::new();
-    };
-    let origin = start.planar(flown.heading_rad());
+    let Some(start_ns) = flown.trace.start_ns else { return Vec::new() };
+    // Of a real vehicle nobody knows the truth: it began where the cameras saw it then.
+    let truth = flown.trace.start.as_ref().map(|start| start.planar(flown.heading_rad()));
+    let seen = || flown.trace.samples.iter().find(|s| s.time_ns >= start_ns).map(|s| s.truth.planar);
+    let Some(origin) = truth.or_else(seen) else { return Vec::new() };
     let turn = core::f64::consts::TAU;
     let counted = (origin.theta / turn).round() * turn;
     let from: State<f64> = flown.prepared.table.start.cast();

@@ -47,11 +47,19 @@ impl HostedVehicle {
     /// # Errors
     /// [`SimulatorError`] for impossible parameters.
     pub fn new(scene: &Scene<'_>) -> Result<Self, SimulatorError> {
+        Self::told(scene, &VehicleConfig::REFERENCE)
+    }
+
+    /// The same with another vehicle file: what it was told that it is, whatever the scene makes of it.
+    ///
+    /// # Errors
+    /// [`SimulatorError`] for impossible parameters.
+    pub fn told(scene: &Scene<'_>, config: &VehicleConfig) -> Result<Self, SimulatorError> {
         let capabilities = Capabilities { gyro: true, motors: true };
         let record = vec![[0; RECORD_BYTES]; RECORD_TICKS];
         Ok(Self {
             world: World::new(scene)?,
-            vehicle: Vehicle::new(Some(VehicleConfig::REFERENCE), capabilities, record),
+            vehicle: Vehicle::new(Some(*config), capabilities, record),
             latency_ns: if is_planning_model(scene.parameters) { 0 } else { LATENCY_NS },
             to_vehicle: VecDeque::new(),
             to_host: Vec::new(),

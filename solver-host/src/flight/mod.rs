@@ -7,6 +7,7 @@
 mod client;
 mod connection;
 mod estimator;
+mod hops;
 mod hosted;
 mod outcome;
 mod position_control;
@@ -16,8 +17,9 @@ mod world;
 pub use client::{Client, ClientError};
 pub use connection::{Connection, ConnectionError, Line, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
+pub use hops::{Hop, HopFlight, HopPlan, fly_hops};
 pub use hosted::HostedVehicle;
-pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Witness};
+pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Sight, Witness};
 pub use position_control::{Reference, control};
 pub use virtual_board::{BoardReport, VirtualBoardError, VirtualVehicle};
 pub use world::{Scene, Trace};
@@ -115,6 +117,11 @@ struct Flight<'a, C, W> {
     level: UnitQuaternion<f64>,
     /// The last pose that differed from the one before.
     fresh_pose: Option<Pose>,
+    phase: Phase,
+    /// What the vehicle was told at the last pose.
+    said: Option<Setpoint>,
+    /// Thrust per mass asked for instead of what position control wants, m/s²: hops are not for it to undo.
+    thrust_mps2: Option<f32>,
 }
 
 /// The very same pose for this long, in the air, is not a measurement, s: cameras have noise and vehicles move.
@@ -134,32 +141,44 @@ pub fn fly(
     plan: &FlightPlan,
     witness: &mut impl Witness,
 ) -> Result<FlightResult, FlightError> {
-    let client = Client::with_key(connection.key());
-    let mut flight = Flight {
-        connection,
-        witness,
-        client,
-        estimator: Estimator::new(),
-        estimate: None,
-        calmness: Calmness::Grounded,
-        reference: None,
-        playing: None,
-        now_s: 0.0,
-        standing: Vec::new(),
-        level: UnitQuaternion::identity(),
-        fresh_pose: None,
-    };
+    let mut flight = Flight::new(connection, witness);
     let result = flight.run(plan);
-    match &result {
-        Ok(_) => {}
-        // The vehicle can come down without the host, but not the host without seeing it.
-        Err(FlightError::Connection(ConnectionError::Capture(_))) => flight.leave_alone(),
-        Err(_) => flight.stop(),
-    }
+    flight.end(&result);
     result
 }
 
-impl<C: Connection, W: Witness> Flight<'_, C, W> {
+impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
+    fn new(connection: &'a mut C, witness: &'a mut W) -> Self {
+        let client = Client::with_key(connection.key());
+        Self {
+            connection,
+            witness,
+            client,
+            estimator: Estimator::new(),
+            estimate: None,
+            calmness: Calmness::Grounded,
+            reference: None,
+            playing: None,
+            now_s: 0.0,
+            standing: Vec::new(),
+            level: UnitQuaternion::identity(),
+            fresh_pose: None,
+            phase: Phase::Prepare,
+            said: None,
+            thrust_mps2: None,
+        }
+    }
+
+    /// Sees to it that a flight that failed does not go on.
+    fn end<T>(&mut self, result: &Result<T, FlightError>) {
+        match result {
+            Ok(_) => {}
+            // The vehicle can come down without the host, but not the host without seeing it.
+            Err(FlightError::Connection(ConnectionError::Capture(_))) => self.leave_alone(),
+            Err(_) => self.stop(),
+        }
+    }
+
     fn run(&mut self, plan: &FlightPlan) -> Result<FlightResult, FlightError> {
         self.enter(Phase::Prepare);
         let ground = self.step()?.position_m;
@@ -219,6 +238,7 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
     }
 
     fn enter(&mut self, phase: Phase) {
+        self.phase = phase;
         self.connection.enter(phase);
         self.witness.phase(phase, self.now_s);
     }
@@ -248,13 +268,24 @@ impl<C: Connection, W: Witness> Flight<'_, C, W> {
         }
         let estimate = self.estimator.update(&pose, self.calmness);
         self.estimate = Some(estimate);
-        if let Some(reference) = &self.reference {
-            let setpoint = control(&estimate, reference);
+        self.said = self.reference.as_ref().map(|reference| {
+            let wanted = control(&estimate, reference);
+            Setpoint { thrust_mps2: self.thrust_mps2.unwrap_or(wanted.thrust_mps2), ..wanted }
+        });
+        if let Some(setpoint) = self.said {
             self.client.stream(self.connection, setpoint)?;
             if self.playing.is_none() {
                 self.estimator.note_command(self.now_s, setpoint);
             }
         }
+        self.witness.saw(&Sight {
+            pose,
+            phase: self.phase,
+            setpoint: self.said,
+            maneuver_since_s: self.playing.as_ref().map(|(_, since_s)| *since_s),
+            battery_v: self.client.telemetry().map(|t| t.battery_v),
+            telemetry_count: self.client.telemetry_count(),
+        });
         Ok(estimate)
     }
 

@@ -1,12 +1,14 @@
 //! What a flight is given, what it brings back, and why it may not take place.
 
-use mintime_shared::messages::{AbortReason, BoardTelemetry, FlightState, Identity, RecordedTick, Refusal};
+use mintime_shared::messages::{
+    AbortReason, BoardTelemetry, FlightState, Identity, RecordedTick, Refusal, Setpoint,
+};
 use mintime_shared::table::{ManeuverTable, TableError};
 use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
 use super::client::ClientError;
-use super::connection::{ConnectionError, Phase, describe};
+use super::connection::{ConnectionError, Phase, Pose, describe};
 
 /// What to fly and where.
 #[derive(Clone, Debug)]
@@ -110,10 +112,29 @@ pub struct FlightResult {
     pub board: Option<BoardTelemetry>,
 }
 
+/// What the host saw at one pose, and what it said to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// The pose; its attitude levelled once the vehicle is in the air.
+    pub pose: Pose,
+    /// Where the flight is.
+    pub phase: Phase,
+    /// The setpoint that was sent when it arrived; `None` while the vehicle stands.
+    pub setpoint: Option<Setpoint>,
+    /// Since when the vehicle replays, s on the clock of the poses; `None` where it does not.
+    pub maneuver_since_s: Option<f64>,
+    /// The battery's voltage as the newest telemetry has it, V.
+    pub battery_v: Option<f32>,
+    /// Telemetry messages so far: another number means that the voltage is new.
+    pub telemetry_count: u64,
+}
+
 /// Told about the flight as it goes.
 pub trait Witness {
     /// A new phase began at this time, s.
     fn phase(&mut self, phase: Phase, now_s: f64);
     /// Something worth a line.
     fn event(&mut self, now_s: f64, text: &str);
+    /// A pose came and was answered.
+    fn saw(&mut self, _sight: &Sight) {}
 }

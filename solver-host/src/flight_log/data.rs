@@ -9,7 +9,7 @@ pub struct FlightLog {
     pub header: LogHeader,
     /// The planned maneuver, in order of time.
     pub planned: Vec<PlannedSample>,
-    /// The flight as the simulator knows it, in order of time.
+    /// The flight as the simulator knows it, or as the cameras saw a real one, in order of time.
     pub samples: Vec<FlightSample>,
     /// What happened, in order of time.
     pub events: Vec<LogEvent>,
@@ -63,14 +63,14 @@ pub struct PlannedSample {
     pub phi_t: f64,
 }
 
-/// The flight at one instant, as the simulator knows it.
+/// The flight at one instant, as the simulator knows it; of a real vehicle, as the cameras saw it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlightSample {
     /// Virtual time from the start of the flight, ns.
     pub time_ns: u64,
     /// Phase of the flight, e.g. `hover`, `maneuver`, `catch`.
     pub phase: String,
-    /// True motion.
+    /// True motion; of a real vehicle that which the cameras saw, NaN where they see nothing.
     pub truth: Truth,
     /// Roll, pitch and yaw rate as the gyro delivered them, rad/s; `None` if there was no sample.
     pub gyro_radps: Option<[f32; 3]>,
@@ -78,9 +78,9 @@ pub struct FlightSample {
     pub setpoint_radps: [f32; 3],
     /// Commanded collective thrust per mass, m/s².
     pub setpoint_thrust_mps2: f32,
-    /// Throttle of motors 1 to 4, 0 to 1.
+    /// Throttle of motors 1 to 4, 0 to 1; NaN where it is not known.
     pub throttle: [f32; 4],
-    /// Battery voltage, V.
+    /// Battery voltage, V; NaN where it is not known.
     pub battery_v: f32,
     /// A motion capture measurement, if one arrived at this instant.
     pub mocap: Option<MocapSample>,

@@ -43,8 +43,13 @@ pub(super) fn messages(log: &FlightLog) -> Vec<Message<'_>> {
             push(Topic::Gyro);
         }
         push(Topic::Setpoint);
-        push(Topic::Motors);
-        push(Topic::Battery);
+        // Of a real vehicle the host knows only what the cameras see and telemetry says.
+        if sample.throttle.iter().all(|t| t.is_finite()) {
+            push(Topic::Motors);
+        }
+        if sample.battery_v.is_finite() {
+            push(Topic::Battery);
+        }
     }
     all.extend(log.planned.iter().map(|planned| {
         // A cast from a float saturates, and NaN becomes 0: no plan can make this overflow.

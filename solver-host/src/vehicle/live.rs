@@ -49,6 +49,11 @@ impl LiveVehicle {
         Self { link, capture, options, phase: Phase::Prepare, entered_s, stopped: false }
     }
 
+    /// The link, for somebody else: the flight is over.
+    pub fn into_link(self) -> PortLink {
+        self.link
+    }
+
     /// Where the vehicle may be from now on.
     pub fn confine(&mut self, room: Volume) {
         self.capture.confine(room);

@@ -3,7 +3,6 @@
 use emulator::bus::Peripherals;
 use emulator::chip::Pin;
 use emulator::devices::{CrsfDefect, Defect};
-use emulator::memory::SRAM_BASE;
 use mintime_shared::messages::{Reply, Request};
 use mintime_shared::settings::Settings;
 use mintime_shared::vehicle::VehicleConfig;
@@ -20,6 +19,10 @@ const NOWHERE: u32 = 0x3000_0000;
 const DATA_READY: Pin = Pin::new('C', 4);
 /// Where the firmware is made to panic.
 const PANIC_LINE: u32 = 77;
+/// Settings that the vehicle has been told before anything breaks.
+pub(super) const KEPT_SETTINGS: Settings = Settings { gyro_cutoff_hz: 149.0, ..Settings::DEFAULT };
+/// A task begins with at most this many bytes of what the executor knows of it, where its code is among them.
+const TASK_HEADER_BYTES: u32 = 64;
 /// What breaks in the simulated world heals after this long.
 const WINDOW_MS: u64 = 400;
 
@@ -128,7 +131,7 @@ impl Fault {
         match self {
             Self::DoubleFault => Some("lock-up"),
             Self::CrystalLost => Some("no rate of DShot"),
-            Self::NoisyEdges => Some("data-ready"),
+            Self::GyroSilent => Some("BMI270: samples come every"),
             _ => None,
         }
     }
@@ -180,8 +183,8 @@ impl Fault {
                 lose_tick(rig);
                 return rig.vehicle.now_ns();
             }
-            Self::SupervisionDead => kill_task(rig, "supervision"),
-            Self::LinkTaskDead => kill_task(rig, "transmit"),
+            Self::SupervisionDead => kill_task(rig, "5board11supervision3run"),
+            Self::LinkTaskDead => kill_task(rig, "5board4link8transmit"),
             // b .
             Self::TasksHang => run_instead(rig.board(), &[], &[0xE7FE]),
             // push {r0-r7, lr}; b back
@@ -286,18 +289,16 @@ fn lose_tick(rig: &mut Rig) {
 
 /// One word of RAM lost: a task's code is not found any more, and it never runs again.
 fn kill_task(rig: &mut Rig, name: &str) {
-    let poll = rig.symbol(&["TaskStorage", "poll", name]) | 1;
+    let codes = rig.symbols_with(&["TaskStorage", "4poll"]);
+    let task = rig.symbol(&[name, "4POOL"]);
     let board = rig.board();
     // bx lr
     board.memory.place(SPARE_RAM, &[0x70, 0x47]).expect("RAM");
-    let words = board.memory.sram.chunks_exact(4);
-    let found: Vec<u32> = (SRAM_BASE..)
-        .step_by(4)
-        .zip(words)
-        .filter(|(_, w)| **w == poll.to_le_bytes())
-        .map(|(at, _)| at)
-        .collect();
-    let [at] = found[..] else { panic!("{name}: {found:x?}") };
+    let words = board.memory.peek(task, TASK_HEADER_BYTES).expect("RAM").as_chunks().0.iter();
+    let is_code = |word: &[u8; 4]| codes.contains(&(u32::from_le_bytes(*word) & !1));
+    let places: Vec<u32> =
+        (task..).step_by(4).zip(words).filter(|(_, w)| is_code(w)).map(|(at, _)| at).collect();
+    let [at] = places[..] else { panic!("{name}: {places:x?}") };
     board.memory.place(at, &(SPARE_RAM | 1).to_le_bytes()).expect("RAM");
 }
 
@@ -339,38 +340,38 @@ fn panic_at(rig: &mut Rig) {
     go_to(board, at, &[3, 2, location]);
 }
 
-/// Cuts the power in a write to the store, or in the erase that makes room in it. Returns what was asked to be kept last and
-/// what was confirmed before.
-pub(super) fn cut_store(rig: &mut Rig, in_erase: bool) -> [Settings; 2] {
-    let mut confirmed = Settings::DEFAULT;
-    for round in 0..400_u16 {
-        let wanted = Settings { recovery_ms: 2001 + round, ..Settings::DEFAULT };
-        rig.begin(Request::WriteSettings(wanted));
-        let end_ns = rig.vehicle.now_ns() + 400 * MS;
-        while rig.vehicle.now_ns() < end_ns {
-            // Erases are looked for in whole milliseconds, words of 16 µs in steps of ten.
-            let step_ns = if in_erase { MS } else { 10_000 };
+/// Cuts the power in a write to the store, or in the erase that makes room in it. Returns the vehicle file that was asked to
+/// be kept last and the one confirmed before.
+pub(super) fn cut_store(rig: &mut Rig, in_erase: bool) -> [VehicleConfig; 2] {
+    let mut confirmed = VehicleConfig::REFERENCE;
+    for round in 1..600_u16 {
+        let mass_kg = VehicleConfig::REFERENCE.mass_kg + 1e-4 * f32::from(round);
+        let wanted = VehicleConfig { mass_kg, ..VehicleConfig::REFERENCE };
+        rig.begin(Request::WriteVehicle(wanted));
+        for _ in 0..4000 {
+            // An erase takes a quarter of a second, a word 16 µs.
+            let (step_ns, at_work_ns) = if in_erase { (MS, 5 * MS) } else { (10_000, 1_000) };
             let later = rig.vehicle.now_ns() + step_ns;
             rig.vehicle.advance_to(later).expect("time goes on");
             let board = rig.board();
             let left = board.memory.flash_interface.busy_until.saturating_sub(board.time());
-            let least = board.peripherals.clock().cycles_for(if in_erase { 5 * MS } else { 1 });
-            if left >= least {
+            if left >= board.peripherals.clock().cycles_for(at_work_ns) {
                 let noise = draw(&mut rig.random);
                 let board = rig.board();
                 board.peripherals.cut_power(&mut board.memory, noise);
                 return [wanted, confirmed];
             }
-            if in_erase {
-                match rig.step() {
-                    Some(answer) => {
-                        assert_eq!(answer, Ok(Reply::Done));
-                        confirmed = wanted;
-                        break;
-                    }
-                    // Sooner than the client would.
-                    None => rig.begin(Request::WriteSettings(wanted)),
+            if !in_erase {
+                continue;
+            }
+            match rig.step() {
+                Some(answer) => {
+                    assert_eq!(answer, Ok(Reply::Done));
+                    confirmed = wanted;
+                    break;
                 }
+                // Sooner than the client would.
+                None => rig.begin(Request::WriteVehicle(wanted)),
             }
         }
     }
@@ -378,10 +379,10 @@ pub(super) fn cut_store(rig: &mut Rig, in_erase: bool) -> [Settings; 2] {
 }
 
 /// What was kept is what was confirmed or what was being written, and all else is untouched.
-pub(super) fn check_store(rig: &mut Rig, [wanted, confirmed]: [Settings; 2]) {
-    match rig.ask(Request::ReadSettings) {
-        Ok(Reply::Settings(found)) => assert!(found == wanted || found == confirmed, "{found:?}"),
+pub(super) fn check_store(rig: &mut Rig, [wanted, confirmed]: [VehicleConfig; 2]) {
+    match rig.ask(Request::ReadVehicle) {
+        Ok(Reply::Vehicle(Some(found))) => assert!(found == wanted || found == confirmed, "{found:?}"),
         other => panic!("{other:?}"),
     }
-    assert_eq!(rig.ask(Request::ReadVehicle), Ok(Reply::Vehicle(Some(VehicleConfig::REFERENCE))));
+    assert_eq!(rig.ask(Request::ReadSettings), Ok(Reply::Settings(KEPT_SETTINGS)));
 }

@@ -13,6 +13,8 @@ use rig::{Host, MS, Rig};
 
 /// Watched for this long beyond the longest bound, ms.
 const BEYOND_MS: u64 = 150;
+/// The gyro cannot be set up any faster, ms.
+const GYRO_SET_UP_MS: u64 = 80;
 /// Where nothing shall happen, nothing happens for this long, ms.
 const CALM_MS: u64 = 300;
 
@@ -21,7 +23,7 @@ const CALM_MS: u64 = 300;
 pub(crate) struct Row {
     pub(crate) fault: Fault,
     pub(crate) phase: Phase,
-    /// The state that it ends in, ...
+    /// The state that it ends in, `Boot` where that is a reset, ...
     pub(crate) ends_in: FlightState,
     /// ... reached within this after the fault, ms; 0 where it never leaves the state it was in.
     pub(crate) within_ms: u32,
@@ -37,14 +39,18 @@ impl Row {
     pub(crate) fn line(&self) -> String {
         let ms = |ms: Option<u32>| ms.map_or("–".to_owned(), |ms| format!("{ms} ms"));
         format!(
-            "| {} | `{:?}` | `{:?}` | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} |",
             self.fault.name(),
-            self.phase,
-            self.ends_in,
+            self.phase.name(),
+            if self.resets() { "reset".to_owned() } else { format!("`{:?}`", self.ends_in) },
             ms(Some(self.within_ms).filter(|ms| *ms > 0)),
             ms(self.off_ms),
             self.told.map_or("–".to_owned(), |told| format!("`{told}`")),
         )
+    }
+
+    fn resets(&self) -> bool {
+        self.ends_in == FlightState::Boot
     }
 
     /// Breaks a vehicle in the phase and sees how it ends.
@@ -67,11 +73,16 @@ impl Row {
         // Where it ended, and how soon.
         let since: Vec<_> = rig.vehicle.states().iter().filter(|(ns, _)| *ns > broken_ns).copied().collect();
         let ms = |ns: u64| ns.saturating_sub(broken_ns) as f64 * 1e-6;
-        let reached_ms = since.last().map(|(ns, _)| ms(*ns));
+        let last = if self.resets() { since.first() } else { since.last() };
+        let reached_ms = last.map(|(ns, _)| ms(*ns));
         let stopped_ns = rig.stopped_ns(broken_ns);
         let off_ms = stopped_ns.filter(|_| rig.ever_turned()).map(ms);
         println!("{}: reached {reached_ms:.1?} ms, motors off {off_ms:.2?} ms, {since:?}", self.line());
-        assert_eq!(rig.state(), self.ends_in, "{since:?}");
+        if self.resets() {
+            assert_started_anew(&since);
+        } else {
+            assert_eq!(rig.state(), self.ends_in, "{since:?}");
+        }
         if self.within_ms == 0 {
             assert_eq!(since, [], "it left its state");
         } else {
@@ -144,6 +155,16 @@ impl Row {
         }
         assert!(!rig.state().motors_on());
         assert!(!rig.turned_after(ended_ns));
+    }
+}
+
+/// It starts once, keeps to `Boot` while its gyro is being set up, and goes no further by itself than to be disarmed.
+fn assert_started_anew(since: &[(u64, FlightState)]) {
+    let mut states = since.iter().map(|(_, state)| *state);
+    assert_eq!(states.next(), Some(FlightState::Boot), "{since:?}");
+    assert!(states.all(|s| matches!(s, FlightState::Calibrating | FlightState::Disarmed)), "{since:?}");
+    if let [(boot_ns, _), (next_ns, _), ..] = since {
+        assert!(next_ns - boot_ns > GYRO_SET_UP_MS * MS, "{since:?}");
     }
 }
 

@@ -15,11 +15,14 @@ use mintime_simulator::VehicleParameters;
 use mintime_tests::reference_cases;
 use nalgebra::Vector3;
 
+use super::fault::KEPT_SETTINGS;
 use crate::bench::{Board, image};
 
 pub(crate) const MS: u64 = 1_000_000;
 /// The ground, m below the start.
 const GROUND_M: f64 = -1.0;
+/// Height over the ground of the low hover, m.
+const LOW_M: f64 = 0.2;
 /// Speed of the climb to it, m/s.
 const CLIMB_MPS: f64 = 0.8;
 /// A speed controller stops its motor after this long without a frame.
@@ -34,8 +37,10 @@ pub(crate) enum Phase {
     Disarmed,
     /// On the ground, idling.
     Armed,
-    /// In the hover.
+    /// In the hover, 1 m above the ground.
     Tracking,
+    /// The same, 0.2 m above the ground.
+    Low,
     /// A tenth of a second into a maneuver.
     Maneuver,
     /// A tenth of a second after the setpoints stopped.
@@ -43,11 +48,23 @@ pub(crate) enum Phase {
 }
 
 impl Phase {
+    /// As the document calls it.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Disarmed => "`Disarmed`",
+            Self::Armed => "`Armed`",
+            Self::Tracking => "`Tracking`",
+            Self::Low => "`Tracking`, 0.2 m up",
+            Self::Maneuver => "`Maneuver`",
+            Self::Recovery => "`Recovery`",
+        }
+    }
+
     pub(crate) fn state(self) -> FlightState {
         match self {
             Self::Disarmed => FlightState::Disarmed,
             Self::Armed => FlightState::Armed,
-            Self::Tracking => FlightState::Tracking,
+            Self::Tracking | Self::Low => FlightState::Tracking,
             Self::Maneuver => FlightState::Maneuver,
             Self::Recovery => FlightState::Recovery,
         }
@@ -101,11 +118,11 @@ impl Line for Wire<'_> {
             }
             _ => {}
         }
-        self.vehicle.send(&bytes)
+        Connection::send(self.vehicle, &bytes)
     }
 
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
-        self.vehicle.receive(into)
+        Connection::receive(self.vehicle, into)
     }
 }
 
@@ -179,7 +196,7 @@ impl Rig {
 
     /// A fresh vehicle in this phase.
     pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 5] = [const { OnceLock::new() }; 5];
+        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 6];
         let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
         rig.lock().expect("nobody panics with it").fork()
     }
@@ -189,7 +206,7 @@ impl Rig {
             Phase::Disarmed => Self::new(),
             Phase::Armed => Self::in_phase(Phase::Disarmed),
             Phase::Tracking => Self::in_phase(Phase::Armed),
-            Phase::Maneuver | Phase::Recovery => Self::in_phase(Phase::Tracking),
+            Phase::Low | Phase::Maneuver | Phase::Recovery => Self::in_phase(Phase::Tracking),
         };
         match phase {
             Phase::Disarmed => rig.prepare(),
@@ -210,6 +227,13 @@ impl Rig {
                 rig.height_m = 0.0;
                 rig.pass_ms(1500);
             }
+            Phase::Low => {
+                for step in 0..200_u32 {
+                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 200.0;
+                    rig.step();
+                }
+                rig.pass_ms(700);
+            }
             Phase::Maneuver => {
                 let checksum = rig.table.checksum();
                 rig.ask(Request::Trigger { checksum }).expect("a hover inside the gate");
@@ -229,6 +253,7 @@ impl Rig {
     fn prepare(&mut self) {
         self.pass_ms(100);
         self.ask(Request::WriteVehicle(VehicleConfig::REFERENCE)).expect("it keeps what it is");
+        self.ask(Request::WriteSettings(KEPT_SETTINGS)).expect("it keeps how it is set");
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = self.table.encode(&mut buffer).expect("a table");
         for (index, chunk) in buffer[..length].chunks(STAGE_CHUNK_BYTES).enumerate() {
@@ -248,11 +273,6 @@ impl Rig {
         assert!(ready(self), "{:?}", self.client.telemetry());
     }
 
-    /// How long the maneuver takes, ms.
-    pub(crate) fn maneuver_ms(&self) -> f64 {
-        f64::from(self.table.duration_s()) * 1e3
-    }
-
     /// The board.
     pub(crate) fn board(&mut self) -> &mut Board {
         self.vehicle.machine_mut()
@@ -266,6 +286,12 @@ impl Rig {
             (Some((_, address)), ..) | (None, Some((_, address)), None) => *address,
             other => panic!("{parts:?}: {other:?}"),
         }
+    }
+
+    /// Addresses of all symbols whose mangled names have all of these parts.
+    pub(crate) fn symbols_with(&self, parts: &[&str]) -> Vec<u32> {
+        let found = self.symbols.iter().filter(|(name, _)| parts.iter().all(|part| name.contains(part)));
+        found.map(|(_, address)| *address & !1).collect()
     }
 
     /// The state that the last tick ended in.

@@ -3,6 +3,8 @@
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
+use std::sync::LazyLock;
+
 use mintime_firmware::config::{BoardStatus, Capabilities, RATE_RESPONSE_S, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use mintime_firmware::gyro::ImuSample;
@@ -14,31 +16,31 @@ use mintime_shared::messages::{
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_tests::reference_cases;
 
-pub const TICK_US: u64 = 1250;
+pub(crate) const TICK_US: u64 = 1250;
 /// Ticks that a setpoint stays fresh.
-pub const FRESH_TICKS: usize = 80;
-pub const HOVER: Setpoint = Setpoint { rates_radps: [0.0; 3], thrust_mps2: 9.81 };
-pub const BOTH: Capabilities = Capabilities { gyro: true, motors: true };
+pub(crate) const FRESH_TICKS: usize = 80;
+pub(crate) const HOVER: Setpoint = Setpoint { rates_radps: [0.0; 3], thrust_mps2: 9.81 };
+pub(crate) const BOTH: Capabilities = Capabilities { gyro: true, motors: true };
 
-pub type Record = Vec<[u8; RECORD_BYTES]>;
+pub(crate) type Record = Vec<[u8; RECORD_BYTES]>;
 
 /// A board's store: takes a job, is busy for some ticks, keeps it or fails.
 #[derive(Clone, Debug, Default)]
-pub struct Store {
-    pub kept: Vec<(Key, Vec<u8>)>,
-    pub fails: bool,
+pub(crate) struct Store {
+    pub(crate) kept: Vec<(Key, Vec<u8>)>,
+    pub(crate) fails: bool,
     /// Ticks that a job takes.
-    pub ticks: usize,
-    under_way: Option<(Job, usize)>,
-    finished: u32,
-    failed: bool,
+    pub(crate) ticks: usize,
+    pub(crate) under_way: Option<(Job, usize)>,
+    pub(crate) finished: u32,
+    pub(crate) failed: bool,
     /// Jobs done.
-    pub jobs: usize,
+    pub(crate) jobs: usize,
 }
 
 impl Store {
     /// One tick of the board, given what the flight logic wants written.
-    pub fn work(&mut self, job: Option<&Job>) -> StoreStatus {
+    pub(crate) fn work(&mut self, job: Option<&Job>) -> StoreStatus {
         if self.under_way.is_none()
             && let Some(job) = job.filter(|job| job.ticket != self.finished)
         {
@@ -68,33 +70,33 @@ impl Store {
     }
 }
 
-pub struct Bench {
-    pub logic: FlightLogic<Record>,
-    pub now_us: u64,
-    pub number: u16,
-    pub sequence: u16,
-    pub battery_v: Option<f32>,
-    pub kill: KillSwitch,
+pub(crate) struct Bench {
+    pub(crate) logic: FlightLogic<Record>,
+    pub(crate) now_us: u64,
+    pub(crate) number: u16,
+    pub(crate) sequence: u16,
+    pub(crate) battery_v: Option<f32>,
+    pub(crate) kill: KillSwitch,
     /// Streamed every eight ticks, as a host does.
-    pub stream: Option<Setpoint>,
+    pub(crate) stream: Option<Setpoint>,
     /// A sign of life every hundred ticks, as a host gives it.
-    pub heartbeat: bool,
+    pub(crate) heartbeat: bool,
     /// It stands on something, whatever its motors do.
-    pub stands: bool,
-    pub store: Option<Store>,
+    pub(crate) stands: bool,
+    pub(crate) store: Option<Store>,
     /// Body rates: those of a healthy vehicle, as the rate loop expects them.
     rates_radps: [f32; 3],
-    pub ticks: usize,
-    pub out: TickOutput,
-    pub said: Vec<Message>,
+    pub(crate) ticks: usize,
+    pub(crate) out: TickOutput,
+    pub(crate) said: Vec<Message>,
 }
 
 impl Bench {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self::with(BOTH)
     }
 
-    pub fn with(capabilities: Capabilities) -> Self {
+    pub(crate) fn with(capabilities: Capabilities) -> Self {
         Self::of(FlightLogic::new(
             Some(VehicleConfig::REFERENCE),
             capabilities,
@@ -102,7 +104,7 @@ impl Bench {
         ))
     }
 
-    pub fn of(logic: FlightLogic<Record>) -> Self {
+    pub(crate) fn of(logic: FlightLogic<Record>) -> Self {
         Self {
             logic,
             now_us: 0,
@@ -122,7 +124,7 @@ impl Bench {
     }
 
     /// Switched on, calibrated, ready to arm.
-    pub fn ready() -> Self {
+    pub(crate) fn ready() -> Self {
         let mut bench = Self::new();
         bench.run(900);
         assert_eq!(bench.telemetry().arming_block, 0, "{}", ArmingBlock(bench.telemetry().arming_block));
@@ -130,25 +132,25 @@ impl Bench {
     }
 
     /// The same, with a store.
-    pub fn with_store() -> Self {
+    pub(crate) fn with_store() -> Self {
         let mut bench = Self::ready();
         bench.store = Some(Store { ticks: 5, ..Store::default() });
         bench.run(2);
         bench
     }
 
-    pub fn armed() -> Self {
+    pub(crate) fn armed() -> Self {
         let mut bench = Self::ready();
         bench.arm();
         bench
     }
 
-    pub fn arm(&mut self) {
+    pub(crate) fn arm(&mut self) {
         assert_eq!(self.ask(Request::Arm(Purpose::Flight)), Reply::Done);
         assert_eq!(self.logic.state(), FlightState::Armed);
     }
 
-    pub fn flying() -> Self {
+    pub(crate) fn flying() -> Self {
         let mut bench = Self::armed();
         bench.stream = Some(HOVER);
         bench.run(20);
@@ -157,7 +159,7 @@ impl Bench {
     }
 
     /// In a state, by requests and the passing of time alone. From armed on a table is committed.
-    pub fn in_state(state: FlightState) -> Self {
+    pub(crate) fn in_state(state: FlightState) -> Self {
         if matches!(state, FlightState::Boot | FlightState::Calibrating) {
             let mut bench = Self::new();
             if state == FlightState::Boot {
@@ -196,7 +198,7 @@ impl Bench {
         bench
     }
 
-    pub fn maneuver() -> Self {
+    pub(crate) fn maneuver() -> Self {
         Self::in_state(FlightState::Maneuver)
     }
 
@@ -209,14 +211,14 @@ impl Bench {
     }
 
     /// A sample as a healthy vehicle would give it: it follows the setpoint, with noise that never repeats.
-    pub fn sample(&self) -> ImuSample {
+    pub(crate) fn sample(&self) -> ImuSample {
         let noise = 1e-3 * ((self.ticks % 17) as f32 - 8.0) / 8.0;
         let falls = self.logic.state() == FlightState::Recovery && !self.stands;
         let force = if falls { self.out.setpoint.thrust_mps2 } else { 9.81 };
         ImuSample { gyro_radps: self.followed().map(|r| r + noise), accel_mps2: [0.0, 0.0, force] }
     }
 
-    pub fn tick_with(&mut self, imu: Option<ImuSample>, interval_us: u64, requests: &[Request]) {
+    pub(crate) fn tick_with(&mut self, imu: Option<ImuSample>, interval_us: u64, requests: &[Request]) {
         self.now_us += interval_us;
         self.rates_radps = self.followed();
         let mut inbox = Inbox::new();
@@ -248,19 +250,19 @@ impl Bench {
         self.said.extend(outbox.iter().cloned());
     }
 
-    pub fn tick(&mut self, requests: &[Request]) {
+    pub(crate) fn tick(&mut self, requests: &[Request]) {
         let sample = self.sample();
         self.tick_with(Some(sample), TICK_US, requests);
     }
 
-    pub fn run(&mut self, ticks: usize) {
+    pub(crate) fn run(&mut self, ticks: usize) {
         for _ in 0..ticks {
             self.tick(&[]);
         }
     }
 
     /// Runs until a state is left; how many ticks that took.
-    pub fn run_while(&mut self, state: FlightState, most: usize) -> usize {
+    pub(crate) fn run_while(&mut self, state: FlightState, most: usize) -> usize {
         for ticks in 0..most {
             if self.logic.state() != state {
                 return ticks;
@@ -271,26 +273,26 @@ impl Bench {
     }
 
     /// The next setpoint of the stream, as a request.
-    pub fn setpoint(&mut self, setpoint: Setpoint) -> Request {
+    pub(crate) fn setpoint(&mut self, setpoint: Setpoint) -> Request {
         self.sequence = self.sequence.wrapping_add(1);
         Request::Setpoint { sequence: self.sequence, setpoint }
     }
 
     /// The answer to the request of this number.
-    pub fn answer(&self, number: u16) -> Option<Reply> {
+    pub(crate) fn answer(&self, number: u16) -> Option<Reply> {
         self.said.iter().rev().find_map(|m| match m {
             Message::Reply { number: n, reply } if *n == number => Some(reply.clone()),
             _ => None,
         })
     }
 
-    pub fn ask(&mut self, request: Request) -> Reply {
+    pub(crate) fn ask(&mut self, request: Request) -> Reply {
         let number = self.number.wrapping_add(1);
         self.tick(&[request]);
         self.answer(number).expect("an answer in the same tick")
     }
 
-    pub fn refusal(&mut self, request: Request) -> Refusal {
+    pub(crate) fn refusal(&mut self, request: Request) -> Refusal {
         match self.ask(request) {
             Reply::Refused(refusal) => refusal,
             reply => panic!("not refused: {reply:?}"),
@@ -298,7 +300,7 @@ impl Bench {
     }
 
     /// Asks again and again while the answer is that it is under way; how often that was.
-    pub fn settle(&mut self, request: &Request) -> (Reply, usize) {
+    pub(crate) fn settle(&mut self, request: &Request) -> (Reply, usize) {
         for pending in 0..200 {
             match self.ask(request.clone()) {
                 Reply::Pending => {}
@@ -308,24 +310,24 @@ impl Bench {
         panic!("pending for ever: {request:?}");
     }
 
-    pub fn telemetry(&mut self) -> Telemetry {
+    pub(crate) fn telemetry(&mut self) -> Telemetry {
         match self.ask(Request::Status) {
             Reply::Status(telemetry) => telemetry,
             reply => panic!("no status: {reply:?}"),
         }
     }
 
-    pub fn abort(&mut self) -> Option<AbortReason> {
+    pub(crate) fn abort(&mut self) -> Option<AbortReason> {
         self.telemetry().abort
     }
 
     /// Acknowledges what waits.
-    pub fn acknowledge(&mut self) -> Reply {
+    pub(crate) fn acknowledge(&mut self) -> Reply {
         let incident = self.telemetry().incident.expect("an incident waits").number;
         self.ask(Request::Acknowledge { incident })
     }
 
-    pub fn read_table(&mut self) -> Vec<u8> {
+    pub(crate) fn read_table(&mut self) -> Vec<u8> {
         match self.ask(Request::ReadTable) {
             Reply::Table(bytes) => bytes.to_vec(),
             reply => panic!("no table: {reply:?}"),
@@ -333,7 +335,7 @@ impl Bench {
     }
 
     /// Stages bytes chunk by chunk: the first refusal, or the length held at the end.
-    pub fn stage(&mut self, bytes: &[u8]) -> Reply {
+    pub(crate) fn stage(&mut self, bytes: &[u8]) -> Reply {
         let mut reply = Reply::Pending;
         for request in chunks(bytes) {
             reply = self.ask(request);
@@ -344,7 +346,7 @@ impl Bench {
         reply
     }
 
-    pub fn commit(&mut self, table: &ManeuverTable) {
+    pub(crate) fn commit(&mut self, table: &ManeuverTable) {
         let bytes = bytes_of(table);
         assert_eq!(self.stage(&bytes), Reply::Staged { length: bytes.len() as u16 });
         let checksum = table.checksum();
@@ -352,11 +354,11 @@ impl Bench {
         assert_eq!(reply, Reply::Committed { checksum, duration_s: table.duration_s() });
     }
 
-    pub fn trigger(&mut self) -> Reply {
+    pub(crate) fn trigger(&mut self) -> Reply {
         self.ask(Request::Trigger { checksum: table().checksum() })
     }
 
-    pub fn record(&mut self) -> Vec<RecordedTick> {
+    pub(crate) fn record(&mut self) -> Vec<RecordedTick> {
         let mut record = Vec::new();
         loop {
             let first = record.len() as u32;
@@ -376,7 +378,7 @@ impl Bench {
 }
 
 /// What a board says that has these capabilities and no store.
-pub fn status(capabilities: Capabilities, starting: bool) -> BoardStatus {
+pub(crate) fn status(capabilities: Capabilities, starting: bool) -> BoardStatus {
     BoardStatus {
         capabilities,
         starting,
@@ -386,7 +388,7 @@ pub fn status(capabilities: Capabilities, starting: bool) -> BoardStatus {
 }
 
 /// No throttle without motors, and none out of range with them.
-pub fn check_throttles(out: &TickOutput, state: FlightState) {
+pub(crate) fn check_throttles(out: &TickOutput, state: FlightState) {
     assert_eq!(out.throttle.is_some(), state.motors_on(), "{state:?}");
     for throttle in out.throttle.iter().flatten() {
         assert!((0.0..=1.0).contains(throttle), "{throttle}");
@@ -394,28 +396,30 @@ pub fn check_throttles(out: &TickOutput, state: FlightState) {
     assert!(out.setpoint.is_finite());
 }
 
-pub fn table_of(name: &str) -> ManeuverTable {
+pub(crate) fn table_of(name: &str) -> ManeuverTable {
     reference_cases().into_iter().find(|c| c.name == name).expect("the case exists").table()
 }
 
-pub fn table() -> ManeuverTable {
-    table_of("general_5_5")
+pub(crate) fn table() -> ManeuverTable {
+    // Read once: a million ticks ask for it.
+    static TABLE: LazyLock<ManeuverTable> = LazyLock::new(|| table_of("general_5_5"));
+    TABLE.clone()
 }
 
-pub fn bytes_of(table: &ManeuverTable) -> heapless::Vec<u8, MAX_TABLE_BYTES> {
+pub(crate) fn bytes_of(table: &ManeuverTable) -> heapless::Vec<u8, MAX_TABLE_BYTES> {
     let mut buffer = [0; MAX_TABLE_BYTES];
     let length = table.encode(&mut buffer).expect("it fits");
     heapless::Vec::from_slice(&buffer[..length]).expect("it fits")
 }
 
 /// One chunk of a table.
-pub fn chunk(total: usize, offset: usize, bytes: &[u8]) -> Request {
+pub(crate) fn chunk(total: usize, offset: usize, bytes: &[u8]) -> Request {
     let bytes = heapless::Vec::from_slice(bytes).expect("no longer than a chunk");
     Request::Stage { total: total as u16, offset: offset as u16, bytes }
 }
 
 /// All chunks of a table in order; of none, an empty one.
-pub fn chunks(bytes: &[u8]) -> Vec<Request> {
+pub(crate) fn chunks(bytes: &[u8]) -> Vec<Request> {
     if bytes.is_empty() {
         return vec![chunk(0, 0, &[])];
     }
@@ -424,7 +428,7 @@ pub fn chunks(bytes: &[u8]) -> Vec<Request> {
 }
 
 /// (5, 5) made for a certain vehicle: bytes and checksum.
-pub fn made_for(vehicle: u32) -> (Vec<u8>, u32) {
+pub(crate) fn made_for(vehicle: u32) -> (Vec<u8>, u32) {
     let mut bytes = bytes_of(&table()).to_vec();
     bytes.truncate(bytes.len() - 4);
     bytes[4..8].copy_from_slice(&vehicle.to_le_bytes());

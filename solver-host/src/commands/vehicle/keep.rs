@@ -97,7 +97,7 @@ impl Params {
     }
 }
 
-fn read_json(path: &Path) -> Result<Value, Box<dyn Error>> {
+pub(super) fn read_json(path: &Path) -> Result<Value, Box<dyn Error>> {
     let bytes = read_bytes(path)?;
     Ok(serde_json::from_slice(&bytes).map_err(|e| format!("{}: {e}", path.display()))?)
 }

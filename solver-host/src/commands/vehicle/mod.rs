@@ -1,6 +1,7 @@
 //! `mintime vehicle PORT …`: a vehicle on the bench.
 
 mod calibrate;
+mod identify;
 mod keep;
 mod motors;
 mod record;
@@ -23,9 +24,9 @@ pub(crate) const PORT_HELP: &str = "Where the vehicle is: a serial device (/dev/
 /// Arguments of `mintime vehicle`.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  mintime vehicle /dev/ttyUSB0 identify\n  mintime vehicle /dev/ttyUSB0 params --file quad.json\n  \
-                  mintime vehicle tcp:192.168.4.1:5760 status --json\n\nNothing here makes a vehicle fly. Only \
-                  `test-motors` turns motors: take the propellers off first."
+    after_help = "Examples:\n  mintime vehicle /dev/ttyUSB0 identity\n  mintime vehicle /dev/ttyUSB0 params --file quad.json\n  \
+                  mintime vehicle tcp:192.168.4.1:5760 status --json\n\nOnly `identify` makes a \
+                  vehicle fly. Only it and `test-motors` turn motors; take the propellers off for the latter."
 )]
 pub(crate) struct Vehicle {
     #[arg(help = PORT_HELP)]
@@ -44,7 +45,9 @@ pub(crate) struct Vehicle {
 #[derive(Subcommand)]
 enum Action {
     /// Who it is: firmware, protocol, vehicle file, limits
-    Identify,
+    Identity,
+    /// Find out in flight what it is: thrust, rotor lag, battery sag, by hovering and hopping. It flies!
+    Identify(Box<identify::Identify>),
     /// How it is: state, what blocks arming, battery, rates, errors
     Status,
     /// Read or write the vehicle file (mass, motors, battery, limits), or with --settings the flight controller's settings
@@ -81,10 +84,14 @@ impl Vehicle {
     }
 
     fn act(&self) -> Said {
+        if let Action::Identify(identify) = &self.action {
+            return identify.run(&self.port, self.key.as_deref());
+        }
         let mut bench = open(&self.port, self.key.as_deref())?;
         let bench = &mut bench;
         match &self.action {
-            Action::Identify => status::identify(bench),
+            // It has seen to its port itself.
+            Action::Identity | Action::Identify(_) => status::identity(bench),
             Action::Status => status::status(bench),
             Action::Params(params) => params.run(bench),
             Action::Upload(upload) => upload.run(bench),

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Bench, Said};
 
-pub(super) fn identify(bench: &mut Bench) -> Said {
+pub(super) fn identity(bench: &mut Bench) -> Said {
     let id = *bench.identity();
     let [major, minor, patch] = id.firmware_version;
     let value = json!({
