@@ -19,6 +19,8 @@ const TRIES: u32 = 10;
 const PENDING_PERIOD_S: f64 = 0.1;
 /// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
 const PENDING_TIMEOUT_S: f64 = 10.0;
+/// Turns by hand may take the vehicle's own patience: 20 s until it rests, 20 s until it is turned, 30 s of turning.
+const TURNING_TIMEOUT_S: f64 = 75.0;
 /// Counters of seals follow the clock at this rate, 1/s, so that each program begins above where the one before it ended.
 const SEALS_PER_S: f64 = 500.0;
 
@@ -33,7 +35,7 @@ pub enum ClientError {
     Silent,
     /// It says that it is at it, but does not finish.
     #[error(
-        "the vehicle has been at it for {PENDING_TIMEOUT_S} s and does not finish: switch it off and on, and try again"
+        "the vehicle has been at it for too long and does not finish: switch it off and on, and try again"
     )]
     Unfinished,
     /// Something else came back.
@@ -230,7 +232,9 @@ impl Client {
             if waited_s < PENDING_PERIOD_S {
                 return Ok(());
             }
-            (now_s - since_s > PENDING_TIMEOUT_S).then_some(ClientError::Unfinished)
+            let by_hand = matches!(pending.request, Request::CalibrateScale { .. });
+            let patience_s = if by_hand { TURNING_TIMEOUT_S } else { PENDING_TIMEOUT_S };
+            (now_s - since_s > patience_s).then_some(ClientError::Unfinished)
         } else {
             if waited_s < ANSWER_TIMEOUT_S {
                 return Ok(());
