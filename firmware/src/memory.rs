@@ -44,7 +44,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         true
     }
 
-    /// Something happened that a person must know of. The gravest of what waits stays in sight.
+    /// Something happened that a person must know of. The newest is what waits; what came before stands in the event log.
     #[inline(never)]
     pub fn report(&mut self, cause: IncidentCause) {
         self.incidents = self.incidents.wrapping_add(1).max(1);

@@ -37,7 +37,10 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.verdicts.clear();
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
-                self.heard_us = Some(now_us);
+                // Anybody may ask a paired vehicle who it is: that does not say that its host is there.
+                if self.pairing.is_none() || uplink.request != Request::Identify {
+                    self.heard_us = Some(now_us);
+                }
                 self.take(uplink.number, &uplink.request, now_us, conditions)
             } else {
                 Verdict::Now(Err(Refusal::ProtocolVersion))

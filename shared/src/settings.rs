@@ -37,7 +37,7 @@ pub enum SettingsError {
     #[error("gyro_cutoff_hz must be 40 to 350")]
     GyroCutoff,
     /// Kill switch out of range.
-    #[error("the kill switch: channel 1 to 16, and 900 ≤ kill_stop_us < kill_run_us ≤ 2100")]
+    #[error("the kill switch: channel 1 to 16, and 1000 < kill_stop_us < kill_run_us < 2000")]
     KillSwitch,
     /// A bench thrust that flies.
     #[error("bench_thrust_mps2 must be 0, or at most 5: a vehicle on the bench must not fly")]
@@ -74,8 +74,9 @@ impl Settings {
         ensure(finite, E::NotFinite)?;
         ensure(self.gyro_scale.iter().all(|s| (0.95..=1.05).contains(s)), E::GyroScale)?;
         ensure((40.0..=350.0).contains(&self.gyro_cutoff_hz), E::GyroCutoff)?;
+        // Within what a channel can say: a switch that could never stop is none.
         let range =
-            900 <= self.kill_stop_us && self.kill_stop_us < self.kill_run_us && self.kill_run_us <= 2100;
+            1000 < self.kill_stop_us && self.kill_stop_us < self.kill_run_us && self.kill_run_us < 2000;
         ensure((1..=16).contains(&self.kill_channel) && range, E::KillSwitch)?;
         ensure((0.0..=Self::BENCH_THRUST_MAX_MPS2).contains(&self.bench_thrust_mps2), E::BenchThrust)?;
         let timeouts = (150..=2000).contains(&self.heartbeat_ms) && (500..=5000).contains(&self.recovery_ms);

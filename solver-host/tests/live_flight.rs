@@ -140,6 +140,9 @@ fn a_real_vehicle_flies_its_maneuver_and_lands() {
     assert_eq!(answer["vehicle"]["kind"], "real");
     assert!(output.status.success());
     assert!(folder.path().join("flight.mcap").is_file());
+    // What the cameras saw is in the picture.
+    let picture = std::fs::read_to_string(folder.path().join("flight.svg")).expect("a picture");
+    assert!(picture.contains("flown-vehicles") && picture.contains("as the cameras saw it"), "{picture}");
     assert_eq!(world.status()["state"], "Disarmed");
     world.end();
 }

@@ -2,7 +2,8 @@
 
 mod served;
 
-use std::process::{Command, Output};
+use std::io::Write as _;
+use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
 use mintime::flight::ClientError;
@@ -173,6 +174,73 @@ fn the_commands_of_the_bench() {
     assert!(json(&vehicle(&["acknowledge", "--key", &path("key")]))["acknowledged"].is_number());
     assert_eq!(json(&vehicle(&["status", "--key", &path("key")]))["state"], "Disarmed");
     assert_eq!(json(&vehicle(&["pair", "--remove", "--key", &path("key")]))["paired"], false);
+}
+
+/// The command, with somebody who types.
+fn mintime_told(arguments: &[&str], typed: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("piped").write_all(typed.as_bytes()).expect("it listens");
+    child.wait_with_output().expect("it ends")
+}
+
+/// A vehicle that has calibrated its gyro after power-up.
+fn ready(by: By) -> Served {
+    let served = Served::new(by, GOOD);
+    let mut session = Session::begin(PortLink::open(&served.port).expect("a port"), None).expect("a vehicle");
+    for _ in 0..100 {
+        if session.status().expect("it answers").state == FlightState::Disarmed {
+            return served;
+        }
+        session.listen(0.1).expect("it listens");
+    }
+    panic!("it never became ready");
+}
+
+#[test]
+fn the_gyros_scale_is_found_by_whole_turns() {
+    /// What this gyro makes of a turn.
+    const ERROR: f32 = 1.02;
+    let served = ready(By::Tcp);
+    // Two turns to the left at 5 rad/s, a second after the calibration has begun, as the gyro feels them.
+    let turn_rad = 2.0 * core::f32::consts::TAU;
+    let ticks = (turn_rad / 5.0 * 800.0).round();
+    served.with_hands(|hands| hands.turn = Some((1200, ERROR * turn_rad * 800.0 / ticks, ticks as u32)));
+    let arguments = ["vehicle", &served.port, "calibrate", "scale", "up", "--turns", "2", "--json"];
+    let answer = json(&mintime_told(&arguments, "\n"));
+    let scale = answer["gyro_scale"][2].as_f64().expect("a number");
+    assert!((scale * f64::from(ERROR) - 1.0).abs() < 2e-3, "{answer}");
+    assert_eq!(answer["before"][2], 1.0);
+    // Nobody there to press Enter.
+    assert!(failure(&mintime_told(&arguments, "")).contains("nobody pressed Enter"));
+}
+
+#[test]
+fn motors_turn_one_by_one_once_the_props_are_off() {
+    let served = ready(By::Tcp);
+    let test = |typed: &str, more: &[&str]| {
+        let arguments = ["vehicle", &served.port, "test-motors", "--seconds", "0.3", "--json"];
+        mintime_told(&[&arguments[..], more].concat(), typed)
+    };
+    assert!(failure(&test("props are on\n", &[])).contains("no motor was turned"));
+    assert_eq!(served.with_hands(|hands| hands.throttle), [0.0; 4]);
+
+    let answer = json(&test("props are off\n", &["--motor", "2", "--throttle", "0.08"]));
+    assert_eq!(answer["turned"], serde_json::json!([2]));
+    let throttle = served.with_hands(|hands| hands.throttle);
+    assert!((throttle[1] - 0.08).abs() < 1e-3, "{throttle:?}");
+    assert!([0, 2, 3].iter().all(|i| throttle[*i] < 0.01), "{throttle:?}");
+
+    let answer = json(&test("props are off\n", &[]));
+    assert_eq!(answer["turned"], serde_json::json!([1, 2, 3, 4]));
+    assert!(served.with_hands(|hands| hands.throttle).iter().all(|t| *t > 0.05));
+    let mut session = Session::begin(PortLink::open(&served.port).expect("a port"), None).expect("a vehicle");
+    assert_eq!(session.status().expect("it answers").state, FlightState::Disarmed);
 }
 
 #[test]

@@ -402,8 +402,8 @@ fn every_message_is_as_long_as_it_says() {
         Request::WriteVehicle(VehicleConfig::REFERENCE),
         Request::ReadSettings,
         Request::WriteSettings(Settings {
-            kill_run_us: 2100,
-            kill_stop_us: 900,
+            kill_run_us: 1999,
+            kill_stop_us: 1001,
             heartbeat_ms: 2000,
             recovery_ms: 5000,
             ..Settings::DEFAULT

@@ -2,8 +2,8 @@
 
 use std::io::{Read as _, Write as _};
 use std::net::{SocketAddr, TcpListener, TcpStream, UdpSocket};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -11,7 +11,7 @@ use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleCo
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
-use mintime_shared::messages::{BoardTelemetry, KillSwitch, RECORD_BYTES};
+use mintime_shared::messages::{BoardTelemetry, FlightState, KillSwitch, RECORD_BYTES};
 
 /// What the line does to chunks of bytes (datagrams, where it is UDP), each way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -35,11 +35,21 @@ pub(crate) enum By {
     Pty,
 }
 
+/// What hands do with the vehicle, and what its motors have done.
+#[derive(Debug, Default)]
+pub(crate) struct Hands {
+    /// Once it calibrates: wait this many ticks, then turn about up by this rate, rad/s, for this many ticks.
+    pub(crate) turn: Option<(u32, f32, u32)>,
+    /// Highest throttle that each output has had.
+    pub(crate) throttle: [f32; 4],
+}
+
 /// A vehicle that is served until this is dropped.
 pub(crate) struct Served {
     /// Its name for `mintime`.
     pub(crate) port: String,
     stop: Arc<AtomicBool>,
+    hands: Arc<Mutex<Hands>>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -57,8 +67,15 @@ impl Served {
         let (end, port) = End::open(by);
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = Arc::clone(&stop);
-        let thread = Some(std::thread::spawn(move || serve(end, faults, &stopped)));
-        Self { port, stop, thread }
+        let hands = Arc::new(Mutex::new(Hands::default()));
+        let at_work = Arc::clone(&hands);
+        let thread = Some(std::thread::spawn(move || serve(end, faults, &stopped, &at_work)));
+        Self { port, stop, hands, thread }
+    }
+
+    /// The hands on the vehicle.
+    pub(crate) fn with_hands<T>(&self, act: impl FnOnce(&mut Hands) -> T) -> T {
+        act(&mut self.hands.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Pulls the plug.
@@ -184,7 +201,22 @@ impl Way {
     }
 }
 
-fn serve(mut end: End, faults: Faults, stopped: &AtomicBool) {
+/// The rate about up that hands give the vehicle now, rad/s.
+fn turned(hands: &mut Hands, state: FlightState) -> f32 {
+    let Some((wait, rate_radps, ticks)) = &mut hands.turn else { return 0.0 };
+    if *wait > 0 {
+        *wait -= u32::from(state == FlightState::Calibrating);
+        return 0.0;
+    }
+    let rate_radps = *rate_radps;
+    *ticks = ticks.saturating_sub(1);
+    if *ticks == 0 {
+        hands.turn = None;
+    }
+    rate_radps
+}
+
+fn serve(mut end: End, faults: Faults, stopped: &AtomicBool, hands: &Mutex<Hands>) {
     let capabilities = Capabilities { gyro: true, motors: true };
     let record = vec![[0; RECORD_BYTES]; 800];
     let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), capabilities, record);
@@ -215,9 +247,16 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool) {
         });
         // A real gyro's last bit never rests.
         let noise = if tick.is_multiple_of(2) { 1e-3 } else { -1e-3 };
-        let imu = Some(ImuSample { gyro_radps: [noise, -noise, noise], accel_mps2: [0.0, noise, 9.81] });
+        let mut hands = hands.lock().unwrap_or_else(PoisonError::into_inner);
+        let yaw = turned(&mut hands, vehicle.state());
+        let imu =
+            Some(ImuSample { gyro_radps: [noise, -noise, noise + yaw], accel_mps2: [0.0, noise, 9.81] });
         let input = TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
-        vehicle.tick(&input);
+        let throttle = vehicle.tick(&input).throttle.unwrap_or_default();
+        for (highest, now) in hands.throttle.iter_mut().zip(throttle) {
+            *highest = highest.max(now);
+        }
+        drop(hands);
         let mut out = [0; 115];
         let sent = vehicle.transmit(&mut out);
         for &byte in &out[..sent] {
