@@ -186,9 +186,8 @@ impl Way {
         for _ in 0..times {
             let mut at = Instant::now() + self.faults.held_up.mul_f64(self.chance());
             let burst = self.faults.burst.as_nanos();
-            if burst > 0 {
-                let bursts = (at - self.began).as_nanos() / burst + 1;
-                at = self.began + Duration::from_nanos((bursts * burst) as u64);
+            if let Some(bursts) = (at - self.began).as_nanos().checked_div(burst) {
+                at = self.began + Duration::from_nanos(((bursts + 1) * burst) as u64);
             }
             self.queue.push((at, chunk.to_vec()));
         }

@@ -28,6 +28,7 @@ const WINDOW_MS: u64 = 400;
 
 /// A fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::enum_variant_names, reason = "a hard fault is called that")]
 pub(crate) enum Fault {
     GyroSilent,
     GyroFrozen,

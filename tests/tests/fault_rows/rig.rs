@@ -369,6 +369,7 @@ impl Rig {
     }
 
     /// Asks and waits for the answer. The line is whole for it.
+    #[allow(clippy::needless_pass_by_value, reason = "requests are made where they are asked")]
     pub(crate) fn ask(&mut self, request: Request) -> Result<Reply, Refusal> {
         let end = self.vehicle.now_ns() + ANSWER_MS * MS;
         while self.vehicle.now_ns() < end {

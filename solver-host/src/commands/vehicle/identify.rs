@@ -102,7 +102,7 @@ impl Identify {
             }
             _ => false,
         };
-        Ok((self.value(&found, file, applied), self.text(&found, applied)))
+        Ok((self.value(&found, &file, applied), self.text(&found, applied)))
     }
 
     fn simulated(&self, kind: &str, plan: &HopPlan, progress: &mut Progress) -> Flown {
@@ -164,7 +164,7 @@ impl Identify {
         Ok((found, session))
     }
 
-    fn value(&self, found: &Identified, vehicle: Value, applied: bool) -> Value {
+    fn value(&self, found: &Identified, vehicle: &Value, applied: bool) -> Value {
         json!({
             "thrust_scale": found.thrust_scale,
             "thrust_scale_std": found.thrust_scale_std,
