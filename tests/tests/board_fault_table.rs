@@ -157,7 +157,8 @@ fn the_document_tells_the_supervisors_transitions() {
     let head = "| # | from | when | unless | to | reported |";
     let (_, table) = document.split_once(head).unwrap_or_else(|| panic!("{path} has no table `{head}`"));
     let lines: Vec<&str> = table.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
-    let rows: Vec<String> = TRANSITIONS.iter().zip(1..).map(|(row, number)| transition_line(number, row)).collect();
+    let rows: Vec<String> =
+        TRANSITIONS.iter().zip(1..).map(|(row, number)| transition_line(number, row)).collect();
     assert_eq!(lines, rows, "put in:\n{}", rows.join("\n"));
 }
 
@@ -178,8 +179,14 @@ fn transition_line(number: usize, row: &Transition) -> String {
         states(row.from)
     };
     let reason = row.reason.map_or(String::new(), |reason| format!("`{reason:?}`"));
-    let cells =
-        [number.to_string(), from, conditions(row.when), conditions(row.unless), format!("`{:?}`", row.to), reason];
+    let cells = [
+        number.to_string(),
+        from,
+        conditions(row.when),
+        conditions(row.unless),
+        format!("`{:?}`", row.to),
+        reason,
+    ];
     let cells = cells.map(|cell| if cell.is_empty() { " ".to_owned() } else { format!(" {cell} ") });
     format!("|{}|", cells.join("|"))
 }

@@ -312,7 +312,8 @@ fn kill_task(rig: &mut Rig, name: &str) {
     board.memory.place(SPARE_RAM, &[0x70, 0x47]).expect("RAM");
     let words = board.memory.peek(task, TASK_HEADER_BYTES).expect("RAM").as_chunks().0.iter();
     let is_code = |word: &[u8; 4]| codes.contains(&(u32::from_le_bytes(*word) & !1));
-    let places: Vec<u32> = (task..).step_by(4).zip(words).filter(|(_, w)| is_code(w)).map(|(at, _)| at).collect();
+    let places: Vec<u32> =
+        (task..).step_by(4).zip(words).filter(|(_, w)| is_code(w)).map(|(at, _)| at).collect();
     let [at] = places[..] else { panic!("{name}: {places:x?}") };
     board.memory.place(at, &(SPARE_RAM | 1).to_le_bytes()).expect("RAM");
 }

@@ -8,9 +8,7 @@ use mintime::flight::{
     Calmness, Client, ClientError, Connection, ConnectionError, Estimator, Line, Reference, Scene,
     VirtualVehicle, control,
 };
-use mintime_shared::messages::{
-    FlightState, Purpose, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Telemetry,
-};
+use mintime_shared::messages::{FlightState, Purpose, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Telemetry};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::VehicleParameters;
@@ -318,8 +316,7 @@ impl Rig {
             act(self.vehicle.machine_mut());
         }
         self.spoil();
-        let mut wire =
-            Wire { vehicle: &mut self.vehicle, damage: self.damage, random: &mut self.random };
+        let mut wire = Wire { vehicle: &mut self.vehicle, damage: self.damage, random: &mut self.random };
         match self.host {
             Host::Silent => {}
             Host::Beats => self.client.heartbeat(&mut wire).expect("a line"),
@@ -429,7 +426,6 @@ impl Rig {
     pub(crate) fn ever_turned(&self) -> bool {
         self.turned_after(0)
     }
-
 }
 
 /// A frame that costs the vehicle much: a chunk of a table, refused while the motors turn.

@@ -63,7 +63,11 @@ impl Bmi270 {
             // 2000, 1000, 500, 250, 125 dps full scale.
             let range_dps = 2000.0 / f64::from(1_u32 << (self.registers[reg::GYR_RANGE] & 7).min(4));
             let per_radps = 32768.0 / range_dps.to_radians();
-            self.store(reg::GYRO_FIRST, self.disturbed(sample.rates_radps), if started { per_radps } else { 0.0 });
+            self.store(
+                reg::GYRO_FIRST,
+                self.disturbed(sample.rates_radps),
+                if started { per_radps } else { 0.0 },
+            );
             self.registers[reg::STATUS] |= 0x40;
         }
         if accel {
