@@ -87,7 +87,7 @@ fn a_battery_lost_from_sight_in_flight_is_no_reason_to_fall() {
 /// Flies until the board resets itself; answers after how many ms the speed controllers had their first stop frame.
 fn reset_in_flight(mut bench: Bench, cause: &str, crashes: &[&str]) -> f64 {
     let (state, _) = bench.assert_lost();
-    assert_eq!(state, FlightState::Disarmed);
+    assert_eq!(state, FlightState::Boot);
     let after_ms = bench.stopped_after_ms();
     bench.assert_is_back(cause, crashes);
     after_ms
@@ -103,7 +103,7 @@ fn a_control_tick_that_stops_ends_in_a_reset() {
         let bench = bench.then(Phase::Hover, IN_HOVER_MS, move |vehicle| {
             vehicle.machine_mut().memory.place(handle, &[0; 4]).expect("RAM");
         });
-        let after_ms = reset_in_flight(bench, "Watchdog", &[]);
+        let after_ms = reset_in_flight(bench, "Watchdog", &["Watchdog"]);
         println!("control tick stopped, LSI {lsi_hz} Hz: motors off after {after_ms:.1} ms");
         assert!((least_ms..most_ms).contains(&after_ms), "{lsi_hz}: {after_ms} ms");
     }
@@ -125,7 +125,7 @@ fn tasks_that_hang_end_in_a_reset() {
         // b .
         run_instead(vehicle.machine_mut(), &[], &[0xE7FE]);
     });
-    let after_ms = reset_in_flight(bench, "Watchdog", &[]);
+    let after_ms = reset_in_flight(bench, "Watchdog", &["Watchdog"]);
     println!("tasks hang: motors off after {after_ms:.1} ms");
     assert!((40.0..125.0).contains(&after_ms), "{after_ms} ms");
 }
@@ -254,7 +254,7 @@ fn a_rotten_word_of_code_keeps_the_motors_off() {
         // udf #0
         vehicle.machine_mut().memory.place(handler, &[0x00, 0xDE]).expect("flash");
     });
-    assert_eq!(bench.assert_lost().0, FlightState::Disarmed);
+    assert_eq!(bench.assert_lost().0, FlightState::Boot);
     let after_ms = bench.stopped_after_ms();
     println!("rotten code: motors off after {after_ms:.2} ms");
     // The handler runs at the next edge.

@@ -32,14 +32,14 @@ fn a_fault_in_the_fault_handler_ends_in_a_reset() {
             board.core.set_register(15, NOWHERE);
             seen.set(locked_up(board));
         });
-        assert_eq!(bench.assert_lost().0, FlightState::Disarmed);
+        assert_eq!(bench.assert_lost().0, FlightState::Boot);
         let (reset_ms, low) = noted.get().expect("a reset");
         println!("fault in the fault handler, LSI {lsi_hz} Hz: reset after {reset_ms:.1} ms");
         assert!((least_ms..most_ms).contains(&reset_ms), "{lsi_hz}: {reset_ms} ms");
         assert!(low, "the lines were low");
         bench.assert_bug("lock-up");
         bench.assert_bug("it began with");
-        bench.assert_is_back("Watchdog", &[]);
+        bench.assert_is_back("Watchdog", &["Watchdog"]);
     }
 }
 
