@@ -19,6 +19,8 @@ const TRIES: u32 = 10;
 const PENDING_PERIOD_S: f64 = 0.1;
 /// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
 const PENDING_TIMEOUT_S: f64 = 10.0;
+/// ... but for this long where a person turns the vehicle by hand, s: 30 s of turning, rest before and after, and its storing.
+const BY_HAND_TIMEOUT_S: f64 = 60.0;
 /// Counters of seals follow the clock at this rate, 1/s, so that each program begins above where the one before it ended.
 const SEALS_PER_S: f64 = 500.0;
 
@@ -33,9 +35,9 @@ pub enum ClientError {
     Silent,
     /// It says that it is at it, but does not finish.
     #[error(
-        "the vehicle has been at it for {PENDING_TIMEOUT_S} s and does not finish: switch it off and on, and try again"
+        "the vehicle has been at it for {0} s and does not finish: switch it off and on, and try again"
     )]
-    Unfinished,
+    Unfinished(f64),
     /// Something else came back.
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]
     Mismatch,
@@ -230,7 +232,9 @@ impl Client {
             if waited_s < PENDING_PERIOD_S {
                 return Ok(());
             }
-            (now_s - since_s > PENDING_TIMEOUT_S).then_some(ClientError::Unfinished)
+            let by_hand = matches!(pending.request, Request::CalibrateScale { .. });
+            let timeout_s = if by_hand { BY_HAND_TIMEOUT_S } else { PENDING_TIMEOUT_S };
+            (now_s - since_s > timeout_s).then_some(ClientError::Unfinished(timeout_s))
         } else {
             if waited_s < ANSWER_TIMEOUT_S {
                 return Ok(());
