@@ -1,7 +1,7 @@
 //! Hops of simulated vehicles of known thrust and lag: does identification find both?
 
 use mintime::flight::{HopFlight, HopPlan, HostedVehicle, Phase, Scene, Witness, fly_hops};
-use mintime::identification::{Identified, IdentificationError, check, identify};
+use mintime::identification::{IdentificationError, Identified, check, identify};
 use mintime::mission::Room;
 use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::VehicleParameters;
@@ -25,8 +25,7 @@ fn airframe(strength: f64, lag_s: f64) -> VehicleParameters {
 /// Flies, and returns besides what it brought the true thrust scale: what the rotors give at their speeds, over what the
 /// file takes them to give there.
 fn hop(parameters: &VehicleParameters, seed: u64, plan: &HopPlan) -> (HopFlight, f64) {
-    let scene =
-        Scene { parameters, seed, ground_z_m: 0.0, heading_rad: 0.0, maneuver_s: 0.0 };
+    let scene = Scene { parameters, seed, ground_z_m: 0.0, heading_rad: 0.0, maneuver_s: 0.0 };
     let mut vehicle = HostedVehicle::new(&scene).expect("a vehicle");
     let flight = fly_hops(&mut vehicle, plan, &mut Unseen).expect("flown");
     let trace = vehicle.into_trace();
@@ -91,7 +90,8 @@ fn what_is_found_makes_the_vehicle_fly_as_its_file_says() {
     // Another seed is another set of rotors.
     assert!((second.thrust_scale - 1.0).abs() < 0.03, "{second:?}");
     assert!((second.lag_s - 0.050).abs() < 0.002 && (second.response_s - 0.010).abs() < 0.002, "{second:?}");
-    let again = identify(&hop_as(&parameters, 7, &told, &first.vehicle), &first.vehicle).expect("enough data");
+    let again =
+        identify(&hop_as(&parameters, 7, &told, &first.vehicle), &first.vehicle).expect("enough data");
     assert!((again.thrust_scale - 1.0).abs() < 0.002, "{again:?}");
 }
 
@@ -123,7 +123,9 @@ fn what_does_not_suffice_is_refused() {
     let few = HopFlight { hops: flight.hops[..3].to_vec(), ..flight.clone() };
     assert_eq!(identify(&few, &file), Err(E::FewHops { hops: 3 }));
     let mut blind = flight.clone();
-    blind.sights.retain(|s| s.pose.captured_s < flight.hover_s.0 + 2.0 || s.pose.captured_s > flight.hover_s.1);
+    blind
+        .sights
+        .retain(|s| s.pose.captured_s < flight.hover_s.0 + 2.0 || s.pose.captured_s > flight.hover_s.1);
     assert!(matches!(identify(&blind, &file), Err(E::Poses { .. })));
     let mut carried = flight.clone();
     for sight in &mut carried.sights {
@@ -141,7 +143,10 @@ fn what_does_not_suffice_is_refused() {
         sight.pose.position_m.z += 0.01 * (i as f64 * 1.7).sin();
     }
     let error = identify(&blurred, &file).expect_err("nothing can be seen");
-    assert!(matches!(error, E::Residual { .. } | E::LagUncertain { .. } | E::ScaleUncertain { .. }), "{error}");
+    assert!(
+        matches!(error, E::Residual { .. } | E::LagUncertain { .. } | E::ScaleUncertain { .. }),
+        "{error}"
+    );
     // Poses with another clock.
     let mut late = flight.clone();
     for sight in &mut late.sights {
@@ -172,9 +177,15 @@ fn the_command_identifies_the_hosted_vehicle() {
     let folder = tempfile::tempdir().expect("a folder");
     let mintime = |arguments: &[&str]| {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_mintime"));
-        command.args(["vehicle", "hosted"]).args(arguments).current_dir(folder.path()).output().expect("it starts")
+        command
+            .args(["vehicle", "hosted"])
+            .args(arguments)
+            .current_dir(folder.path())
+            .output()
+            .expect("it starts")
     };
-    std::fs::write(folder.path().join("weak.toml"), "[rotors]\nthrust_coefficient_ns2 = 1.4e-6").expect("written");
+    std::fs::write(folder.path().join("weak.toml"), "[rotors]\nthrust_coefficient_ns2 = 1.4e-6")
+        .expect("written");
     let output = mintime(&["identify", "--plant", "weak.toml", "-o", "quad.json", "--json"]);
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert!((answer["thrust_scale"].as_f64().expect("a number") - 0.896).abs() < 0.03, "{answer}");
@@ -182,7 +193,10 @@ fn the_command_identifies_the_hosted_vehicle() {
     let file = std::fs::read(folder.path().join("quad.json")).expect("written");
     let vehicle: VehicleConfig = serde_json::from_slice(&file).expect("a vehicle file");
     assert_eq!(vehicle.check(), Ok(()));
-    assert_eq!(answer["vehicle"]["rotor_thrust_max_n"], serde_json::from_slice::<serde_json::Value>(&file).expect("JSON")["rotor_thrust_max_n"]);
+    assert_eq!(
+        answer["vehicle"]["rotor_thrust_max_n"],
+        serde_json::from_slice::<serde_json::Value>(&file).expect("JSON")["rotor_thrust_max_n"]
+    );
     let output = mintime(&["identify", "--plant", "weak.toml", "--file", "quad.json", "--json"]);
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert!((answer["thrust_scale"].as_f64().expect("a number") - 1.0).abs() < 0.002, "{answer}");

@@ -76,7 +76,12 @@ impl MocapArguments {
 
     /// Opens the cameras and the keyboard, finds the vehicle and confines it to the room, which is seen from the start: above
     /// the vehicle by the room's depth.
-    pub(crate) fn watch(&self, link: PortLink, options: LiveOptions, room: &Room) -> Result<Watched, Box<dyn Error>> {
+    pub(crate) fn watch(
+        &self,
+        link: PortLink,
+        options: LiveOptions,
+        room: &Room,
+    ) -> Result<Watched, Box<dyn Error>> {
         let source = self.mocap.as_deref().unwrap_or_default();
         let capture =
             CaptureOptions { name: self.mocap_name.clone(), room: None, latency_s: self.mocap_latency };

@@ -34,9 +34,7 @@ pub enum ClientError {
     #[error("the vehicle does not answer: check the link, the baud rate (921600) and the power")]
     Silent,
     /// It says that it is at it, but does not finish.
-    #[error(
-        "the vehicle has been at it for {0} s and does not finish: switch it off and on, and try again"
-    )]
+    #[error("the vehicle has been at it for {0} s and does not finish: switch it off and on, and try again")]
     Unfinished(f64),
     /// Something else came back.
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]

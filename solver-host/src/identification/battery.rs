@@ -24,7 +24,9 @@ pub(super) fn sag(sights: &[&Sight], hops: &[Hop], fit: &Fit, file: &VehicleConf
         let nodes = observed.motion(&drive, fit.lag_s);
         let mut own: Vec<(f64, f64)> = Vec::new();
         let news = sights.windows(2).filter_map(|pair| match pair {
-            [a, b] if b.telemetry_count > a.telemetry_count => Some((b.pose.arrived_s, f64::from(b.battery_v?))),
+            [a, b] if b.telemetry_count > a.telemetry_count => {
+                Some((b.pose.arrived_s, f64::from(b.battery_v?)))
+            }
             _ => None,
         });
         for (time_s, volts) in news.filter(|(t, _)| (observed.began_s - 0.1..observed.end_s).contains(t)) {
@@ -41,7 +43,8 @@ pub(super) fn sag(sights: &[&Sight], hops: &[Hop], fit: &Fit, file: &VehicleConf
     }
     let (ff, fv) = pairs.iter().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 * p.0, sum.1 + p.0 * p.1));
     // Without any change of thrust there is nothing to learn.
-    let moved = ff / pairs.len() as f64 > (1e-3 * f64::from(file.rotor_thrust_max_n) * MOTOR_COUNT as f64).powi(2);
+    let moved =
+        ff / pairs.len() as f64 > (1e-3 * f64::from(file.rotor_thrust_max_n) * MOTOR_COUNT as f64).powi(2);
     let slope = fv / ff;
     let squares = pairs.iter().map(|p| (p.1 - slope * p.0).powi(2)).sum::<f64>();
     let free = pairs.len() as f64 - groups - 1.0;

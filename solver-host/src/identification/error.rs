@@ -14,13 +14,17 @@ pub enum IdentificationError {
         hover_s: f64,
     },
     /// Too few hops.
-    #[error("{hops} hops say too little: fly {HOPS_MIN} to 100 (each that leaves its place by too much counts as none)")]
+    #[error(
+        "{hops} hops say too little: fly {HOPS_MIN} to 100 (each that leaves its place by too much counts as none)"
+    )]
     FewHops {
         /// How many.
         hops: u32,
     },
     /// Steps that cannot be flown or seen.
-    #[error("steps must be 0.5 to 4 m/s² high and 0.05 to 0.25 s long: 2 m/s² for 0.15 s is seen well and leads 5 cm")]
+    #[error(
+        "steps must be 0.5 to 4 m/s² high and 0.05 to 0.25 s long: 2 m/s² for 0.15 s is seen well and leads 5 cm"
+    )]
     Step,
     /// Too near to the ground.
     #[error(
@@ -46,13 +50,17 @@ pub enum IdentificationError {
         drift_m: f64,
     },
     /// Leaning into something.
-    #[error("the vehicle hovered with a lean of {tilt_rad:.3} rad: there is wind, or its markers are askew; calm the air")]
+    #[error(
+        "the vehicle hovered with a lean of {tilt_rad:.3} rad: there is wind, or its markers are askew; calm the air"
+    )]
     Lean {
         /// Tilt, rad.
         tilt_rad: f64,
     },
     /// Cameras saw too little.
-    #[error("the cameras gave {poses} poses where {needed} are needed: check that they see the vehicle all the way")]
+    #[error(
+        "the cameras gave {poses} poses where {needed} are needed: check that they see the vehicle all the way"
+    )]
     Poses {
         /// Came.
         poses: u32,
@@ -89,6 +97,8 @@ pub enum IdentificationError {
     )]
     NoLag,
     /// What was found is no vehicle.
-    #[error("what was found makes no usable vehicle file ({0}): check mass and rotors in the file on the vehicle first")]
+    #[error(
+        "what was found makes no usable vehicle file ({0}): check mass and rotors in the file on the vehicle first"
+    )]
     Vehicle(#[from] VehicleError),
 }

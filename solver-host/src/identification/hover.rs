@@ -77,10 +77,7 @@ fn window(sights: &[&Sight], from_s: f64) -> Result<f64, IdentificationError> {
         .filter_map(|s| Some(f64::from(s.setpoint?.thrust_mps2) * (s.pose.attitude * Vector3::z()).z))
         .collect();
     if commands.len() < POSES_MIN {
-        return Err(IdentificationError::Poses {
-            poses: commands.len() as u32,
-            needed: POSES_MIN as u32,
-        });
+        return Err(IdentificationError::Poses { poses: commands.len() as u32, needed: POSES_MIN as u32 });
     }
     let gained_mps = speed_at(sights, from_s + WINDOW_S) - speed_at(sights, from_s);
     let mean_mps2 = commands.iter().sum::<f64>() / commands.len() as f64;

@@ -204,11 +204,7 @@ fn solve(normal: &Normal) -> Result<DVector<f64>, IdentificationError> {
     Ok(factors.solve(&normal.gradient))
 }
 
-fn result(
-    observed: &[Observed],
-    drive: &Drive,
-    common: [f64; COMMON],
-) -> Result<Fit, IdentificationError> {
+fn result(observed: &[Observed], drive: &Drive, common: [f64; COMMON]) -> Result<Fit, IdentificationError> {
     let normal = linearise(observed, drive, common);
     let change = solve(&normal)?;
     let inverse = normal.matrix.clone().try_inverse().ok_or(IdentificationError::NoLag)?;

@@ -2,8 +2,8 @@
 
 use std::io::{Read as _, Write as _};
 use std::net::{SocketAddr, TcpListener, TcpStream, UdpSocket};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -249,7 +249,8 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool, hands: &Mutex<Hands
         let noise = if tick.is_multiple_of(2) { 1e-3 } else { -1e-3 };
         let mut hands = hands.lock().unwrap_or_else(PoisonError::into_inner);
         let yaw = turned(&mut hands);
-        let imu = Some(ImuSample { gyro_radps: [noise, -noise, noise + yaw], accel_mps2: [0.0, noise, 9.81] });
+        let imu =
+            Some(ImuSample { gyro_radps: [noise, -noise, noise + yaw], accel_mps2: [0.0, noise, 9.81] });
         let input = TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
         let throttle = vehicle.tick(&input).throttle.unwrap_or_default();
         for (highest, now) in hands.throttle.iter_mut().zip(throttle) {

@@ -110,7 +110,9 @@ impl Identify {
             return Err("--mocap is for a real vehicle: a simulated one brings its own cameras".into());
         }
         if self.apply {
-            return Err("a simulated vehicle is gone after the flight: keep what is found with -o FILE.json".into());
+            return Err(
+                "a simulated vehicle is gone after the flight: keep what is found with -o FILE.json".into()
+            );
         }
         let told = match &self.file {
             Some(path) => serde_json::from_value(keep::read_json(path)?)
@@ -141,7 +143,10 @@ impl Identify {
 
     fn real(&self, port: &str, key: Option<&Path>, plan: &HopPlan, progress: &mut Progress) -> Flown {
         if self.firmware.is_some() || self.file.is_some() {
-            return Err("a real vehicle has its firmware and its file already: leave out --firmware and --file".into());
+            return Err(
+                "a real vehicle has its firmware and its file already: leave out --firmware and --file"
+                    .into(),
+            );
         }
         let room = self.eyes.check(self.room)?;
         let key = key.map(read_key).transpose()?;
@@ -222,7 +227,9 @@ impl Identify {
         }
         lines.extend(self.output.as_ref().map(|path| format!("wrote       {}", path.display())));
         if applied {
-            lines.push("applied     the vehicle knows it now; tables made for it before are refused".to_owned());
+            lines.push(
+                "applied     the vehicle knows it now; tables made for it before are refused".to_owned(),
+            );
         }
         lines.join("\n")
     }
