@@ -5,18 +5,18 @@ mod logic;
 use logic::{
     BOTH, Bench, FRESH_TICKS, HOVER, Record, TICK_US, bytes_of, chunk, chunks, made_for, table, table_of,
 };
+use mintime_tests::reference_cases;
 use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput};
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES,
-    Refusal, Reply, Request, Setpoint, Uplink,
+    AbortReason, ArmingBlock, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal, Reply,
+    Request, Setpoint, Uplink,
 };
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
 use mintime_shared::table::{ManeuverTable, TableError};
-use mintime_tests::reference_cases;
 
 const ALL_STATES: [FlightState; 9] = FlightState::ALL;
 
@@ -295,13 +295,15 @@ fn a_refused_table_leaves_the_old_one() {
     assert_eq!(again, Reply::Committed { checksum: table().checksum(), duration_s: table().duration_s() });
     let before = bench.read_table();
 
-    let try_bytes = |bench: &mut Bench, bytes: &[u8], checksum: u32| match bench.stage(bytes) {
-        Reply::Refused(refusal) => refusal,
-        Reply::Staged { length } => {
-            assert_eq!(usize::from(length), bytes.len());
-            bench.refusal(Request::CommitTable { checksum })
+    let try_bytes = |bench: &mut Bench, bytes: &[u8], checksum: u32| {
+        match bench.stage(bytes) {
+            Reply::Refused(refusal) => refusal,
+            Reply::Staged { length } => {
+                assert_eq!(usize::from(length), bytes.len());
+                bench.refusal(Request::CommitTable { checksum })
+            }
+            reply => panic!("{reply:?}"),
         }
-        reply => panic!("{reply:?}"),
     };
     let checksum = table().checksum();
     assert_eq!(try_bytes(&mut bench, &[], checksum), Refusal::Table(TableError::Length));
@@ -358,9 +360,7 @@ fn a_table_beyond_the_vehicle_is_refused() {
 fn a_trigger_is_refused_unless_all_is_well() {
     let checksum = table().checksum();
     let trigger = Request::Trigger { checksum };
-    for state in
-        ALL_STATES.into_iter().filter(|s| !matches!(s, FlightState::Tracking | FlightState::Maneuver))
-    {
+    for state in ALL_STATES.into_iter().filter(|s| !matches!(s, FlightState::Tracking | FlightState::Maneuver)) {
         let mut bench = Bench::in_state(state);
         assert_eq!(bench.refusal(trigger.clone()), Refusal::WrongState(state));
         assert_eq!(bench.logic.state(), state);
@@ -484,7 +484,11 @@ fn no_record_is_read_during_a_maneuver() {
 #[test]
 fn a_full_recorder_keeps_the_beginning() {
     let mut bench = Bench::ready();
-    bench.logic = FlightLogic::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 100]);
+    bench.logic = FlightLogic::new(
+        Some(VehicleConfig::REFERENCE),
+        BOTH,
+        vec![[0; RECORD_BYTES]; 100],
+    );
     bench.run(900);
     bench.commit(&table());
     bench.arm();
@@ -777,8 +781,7 @@ fn another_protocol_version_is_refused_and_nothing_done() {
             inbox.push_back(Uplink { version, number: number as u16, request }).expect("room");
         }
         let imu = Some(bench.sample());
-        let input =
-            TickInput { now_us: bench.now_us + TICK_US, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
+        let input = TickInput { now_us: bench.now_us + TICK_US, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
         bench.logic.tick(&input, &mut inbox, &mut outbox);
         assert_eq!(bench.logic.state(), FlightState::Tracking);
         for number in [0, 1] {
@@ -840,11 +843,7 @@ fn every_request_is_answered_once() {
             bench.stream = None;
             bench.said.clear();
             let sequence = bench.sequence.wrapping_add(1);
-            bench.tick(&[
-                Request::Setpoint { sequence, setpoint: HOVER },
-                Request::Heartbeat,
-                request.clone(),
-            ]);
+            bench.tick(&[Request::Setpoint { sequence, setpoint: HOVER }, Request::Heartbeat, request.clone()]);
             let replies: Vec<u16> = bench
                 .said
                 .iter()
@@ -871,7 +870,11 @@ fn telemetry_comes_every_twenty_milliseconds() {
 #[test]
 fn an_emergency_stop_finds_room() {
     for place in 0..12 {
-        let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 100]);
+        let mut vehicle = Vehicle::new(
+            Some(VehicleConfig::REFERENCE),
+            BOTH,
+            vec![[0; RECORD_BYTES]; 100],
+        );
         let send = |vehicle: &mut Vehicle<Record>, request| {
             let uplink = Uplink { version: PROTOCOL_VERSION, number: 1, request };
             vehicle.receive(encode(&uplink).expect("it fits").as_bytes());
@@ -879,10 +882,8 @@ fn an_emergency_stop_finds_room() {
         let mut now_us = 0;
         let mut tick = |vehicle: &mut Vehicle<Record>| {
             now_us += TICK_US;
-            let imu = Some(ImuSample {
-                gyro_radps: [1e-6 * (now_us % 7000) as f32; 3],
-                accel_mps2: [0.0, 0.0, 9.81],
-            });
+            let imu =
+                Some(ImuSample { gyro_radps: [1e-6 * (now_us % 7000) as f32; 3], accel_mps2: [0.0, 0.0, 9.81] });
             vehicle.tick(&TickInput { now_us, imu, battery_v: Some(15.0), kill: KillSwitch::Run })
         };
         for _ in 0..900 {

@@ -8,8 +8,8 @@ use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::keeping::Key;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, IncidentCause, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES,
-    StoredTable, TableName,
+    ArmingBlock, FlightState, IncidentCause, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, StoredTable,
+    TableName,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::TableError;
@@ -271,12 +271,8 @@ fn vehicle_settings_and_key_outlive_the_power() {
     bench.store = Some(Store { ticks: 5, ..Store::default() });
     bench.run(900);
     assert_eq!(bench.ask(Request::ReadVehicle), Reply::Vehicle(None));
-    assert_eq!(
-        bench.refusal(Request::Arm(Purpose::Flight)),
-        Refusal::ArmingBlocked(ArmingBlock::NO_VEHICLE.0)
-    );
-    let vehicle =
-        VehicleConfig { mass_kg: 0.7, outputs: [2, 0, 3, 1], reversed: true, ..VehicleConfig::REFERENCE };
+    assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), Refusal::ArmingBlocked(ArmingBlock::NO_VEHICLE.0));
+    let vehicle = VehicleConfig { mass_kg: 0.7, outputs: [2, 0, 3, 1], reversed: true, ..VehicleConfig::REFERENCE };
     let settings = Settings {
         gyro_scale: [1.01, 0.99, 1.02],
         kill_channel: 7,
@@ -284,9 +280,11 @@ fn vehicle_settings_and_key_outlive_the_power() {
         bench_thrust_mps2: 3.0,
         ..Settings::DEFAULT
     };
-    for request in
-        [Request::WriteVehicle(vehicle), Request::WriteSettings(settings), Request::Pair(Some([4; 16]))]
-    {
+    for request in [
+        Request::WriteVehicle(vehicle),
+        Request::WriteSettings(settings),
+        Request::Pair(Some([4; 16])),
+    ] {
         assert_eq!(bench.settle(&request).0, Reply::Done);
         // Asked again it is so at once.
         assert_eq!(bench.ask(request), Reply::Done);
@@ -297,9 +295,7 @@ fn vehicle_settings_and_key_outlive_the_power() {
         assert_eq!(bench.ask(Request::ReadSettings), Reply::Settings(settings));
         assert_eq!(bench.logic.pairing(), Some(&[4; 16]));
         match bench.ask(Request::Identify) {
-            Reply::Identity(identity) => {
-                assert_eq!((identity.vehicle, identity.paired), (vehicle.hash(), true))
-            }
+            Reply::Identity(identity) => assert_eq!((identity.vehicle, identity.paired), (vehicle.hash(), true)),
             other => panic!("{other:?}"),
         }
     }

@@ -10,9 +10,8 @@ use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
-    ArmingBlock, CalibrationError, Downlink, FlightState, IncidentCause, KillSwitch, Message,
-    PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, Setpoint, TableName,
-    Uplink,
+    ArmingBlock, CalibrationError, Downlink, FlightState, IncidentCause, KillSwitch, Message, PROTOCOL_VERSION, Purpose,
+    RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, Setpoint, TableName, Uplink,
 };
 use mintime_shared::settings::{Settings, SettingsError};
 use mintime_shared::table::TableError;
@@ -163,9 +162,7 @@ fn cases() -> Vec<Case> {
     // Arming: each reason below.
     let mut low = Bench::ready();
     low.battery_v = Some(13.9);
-    all.push(case(low, ARM, Refusal::ArmingBlocked(ArmingBlock::BATTERY_LOW.0), |bench| {
-        bench.battery_v = Some(15.5)
-    }));
+    all.push(case(low, ARM, Refusal::ArmingBlocked(ArmingBlock::BATTERY_LOW.0), |bench| bench.battery_v = Some(15.5)));
 
     // Tables.
     let mut foreign = Bench::ready();
@@ -209,19 +206,11 @@ fn cases() -> Vec<Case> {
     let store = Request::StoreTable { name: name(""), checksum: table().checksum() };
     let mut bench = Bench::ready();
     bench.commit(&table());
-    all.push(Case {
-        then: Some(Reply::Refused(Refusal::NotCommitted)),
-        ..case(bench, store, Refusal::NotCommitted, |_| ())
-    });
-    all.push(case(
-        Bench::ready(),
-        Request::LoadTable { name: name("flip") },
-        Refusal::NoSuchTable,
-        |bench| {
-            bench.commit(&table());
-            bench.ask(Request::StoreTable { name: name("flip"), checksum: table().checksum() });
-        },
-    ));
+    all.push(Case { then: Some(Reply::Refused(Refusal::NotCommitted)), ..case(bench, store, Refusal::NotCommitted, |_| ()) });
+    all.push(case(Bench::ready(), Request::LoadTable { name: name("flip") }, Refusal::NoSuchTable, |bench| {
+        bench.commit(&table());
+        bench.ask(Request::StoreTable { name: name("flip"), checksum: table().checksum() });
+    }));
     let mut full = Bench::ready();
     full.commit(&table());
     for n in 0..STORED_TABLES {
@@ -287,14 +276,8 @@ fn cases() -> Vec<Case> {
     }));
 
     // Numbers.
-    let wild = |rate: f32| Request::Setpoint {
-        sequence: 900,
-        setpoint: Setpoint { rates_radps: [rate; 3], ..HOVER },
-    };
-    let stays = |request, want| Case {
-        then: Some(Reply::Refused(want)),
-        ..case(Bench::flying(), request, want, |_| ())
-    };
+    let wild = |rate: f32| Request::Setpoint { sequence: 900, setpoint: Setpoint { rates_radps: [rate; 3], ..HOVER } };
+    let stays = |request, want| Case { then: Some(Reply::Refused(want)), ..case(Bench::flying(), request, want, |_| ()) };
     all.push(stays(wild(f32::NAN), Refusal::NotFinite));
     all.push(stays(wild(f32::INFINITY), Refusal::NotFinite));
     all.push(stays(wild(35.1), Refusal::OutOfRange));
@@ -313,10 +296,7 @@ fn cases() -> Vec<Case> {
     // Vehicle and settings.
     let mut lead = VehicleConfig::REFERENCE;
     lead.mass_kg = 21.0;
-    all.push(Case {
-        bench: Bench::ready(),
-        ..stays(Request::WriteVehicle(lead), Refusal::Vehicle(VehicleError::Mass))
-    });
+    all.push(Case { bench: Bench::ready(), ..stays(Request::WriteVehicle(lead), Refusal::Vehicle(VehicleError::Mass)) });
     let mut hasty = Settings::DEFAULT;
     hasty.heartbeat_ms = 100;
     let refused = Refusal::Settings(SettingsError::Timeouts);
@@ -371,15 +351,17 @@ fn every_refusal_comes_when_it_must_and_changes_nothing() {
         let reply = bench.ask(request.clone());
         match then {
             Some(then) => assert_eq!(reply, then, "{request:?}"),
-            None => {
-                assert!(!matches!(reply, Reply::Refused(_)), "{request:?} after its cause is gone: {reply:?}")
-            }
+            None => assert!(!matches!(reply, Reply::Refused(_)), "{request:?} after its cause is gone: {reply:?}"),
         }
     }
     // These need more than one request to one flight logic: below.
-    for elsewhere in
-        [stale_setpoint(), setpoint_to_a_motor_test(), failing_store(), other_protocol(), not_sealed()]
-    {
+    for elsewhere in [
+        stale_setpoint(),
+        setpoint_to_a_motor_test(),
+        failing_store(),
+        other_protocol(),
+        not_sealed(),
+    ] {
         provoked[kind(&elsewhere)] = true;
     }
     let missing: Vec<usize> = (0..KINDS).filter(|n| !provoked[*n]).collect();
@@ -432,17 +414,11 @@ fn failing_store() -> Refusal {
 fn line(vehicle: &mut Vehicle<Vec<[u8; RECORD_BYTES]>>, bytes: &[u8]) -> Vec<(u16, Reply)> {
     vehicle.receive(bytes);
     let imu = Some(ImuSample { gyro_radps: [0.0; 3], accel_mps2: [0.0, 0.0, 9.81] });
-    vehicle.tick(&mintime_firmware::flight::TickInput {
-        now_us: 1,
-        imu,
-        battery_v: Some(15.0),
-        kill: KillSwitch::Run,
-    });
+    vehicle.tick(&mintime_firmware::flight::TickInput { now_us: 1, imu, battery_v: Some(15.0), kill: KillSwitch::Run });
     let mut out = [0; 4000];
     let length = vehicle.transmit(&mut out);
     let mut decoder = Decoder::new();
-    let said =
-        out[..length].iter().filter_map(|b| decoder.push::<Downlink>(*b)).map(|m| m.expect("sound").message);
+    let said = out[..length].iter().filter_map(|b| decoder.push::<Downlink>(*b)).map(|m| m.expect("sound").message);
     said.filter_map(|m| match m {
         Message::Reply { number, reply } => Some((number, reply)),
         Message::Telemetry(_) => None,
@@ -456,18 +432,14 @@ fn other_protocol() -> Refusal {
     let said = line(&mut vehicle, encode(&stop(PROTOCOL_VERSION - 1)).expect("it fits").as_bytes());
     assert_eq!(said, [(4, Reply::Refused(Refusal::ProtocolVersion))]);
     assert_eq!(vehicle.state(), FlightState::Calibrating);
-    assert_eq!(
-        line(&mut vehicle, encode(&stop(PROTOCOL_VERSION)).expect("it fits").as_bytes()),
-        [(4, Reply::Done)]
-    );
+    assert_eq!(line(&mut vehicle, encode(&stop(PROTOCOL_VERSION)).expect("it fits").as_bytes()), [(4, Reply::Done)]);
     assert_eq!(vehicle.state(), FlightState::Terminated);
     Refusal::ProtocolVersion
 }
 
 fn not_sealed() -> Refusal {
     let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 1]);
-    let ask =
-        |number, request| encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits");
+    let ask = |number, request| encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits");
     let said = line(&mut vehicle, ask(1, Request::Pair(Some([3; 16]))).as_bytes());
     assert_eq!(said, [(1, Reply::Done)]);
     let said = line(&mut vehicle, ask(2, Request::EmergencyStop).as_bytes());
@@ -550,8 +522,7 @@ fn provoke(reason: ArmingBlock) -> (ArmingBlock, Bench) {
         }
         B::BATTERY_UNKNOWN => {
             let mut bench = Bench::ready();
-            for unknown in [Some(f32::NAN), Some(0.0), Some(-3.0), Some(f32::INFINITY), Some(9e9), Some(3.0)]
-            {
+            for unknown in [Some(f32::NAN), Some(0.0), Some(-3.0), Some(f32::INFINITY), Some(9e9), Some(3.0)] {
                 bench.battery_v = unknown;
                 assert_eq!(blocked(&mut bench), reason, "{unknown:?}");
             }

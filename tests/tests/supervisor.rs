@@ -119,10 +119,7 @@ fn promises(from: FlightState, c: Conditions, taken: Step) -> Result<(), &'stati
     let (to, reason) = taken.map_or((from, None), |(to, reason)| (to, reason));
     let ensure = |holds: bool, promise: &'static str| if holds { Ok(()) } else { Err(promise) };
     let fatal = FATAL.iter().fold(C::empty(), |all, (condition, _)| all | *condition);
-    ensure(
-        !c.contains(C::EMERGENCY_STOP) || to == S::Terminated,
-        "an emergency stop terminates from anywhere",
-    )?;
+    ensure(!c.contains(C::EMERGENCY_STOP) || to == S::Terminated, "an emergency stop terminates from anywhere")?;
     ensure(!(from.motors_on() && c.intersects(fatal | C::DISARM) && to.motors_on()), "a stop stops")?;
     let kill = c.intersects(C::KILL | C::KILL_LOST);
     ensure(!(from.motors_on() && kill) || to == S::Terminated, "the kill switch terminates")?;
@@ -138,18 +135,12 @@ fn promises(from: FlightState, c: Conditions, taken: Step) -> Result<(), &'stati
         !(from == S::Boot && to != from) || matches!(to, S::Calibrating | S::Terminated),
         "what starts learns its bias first",
     )?;
-    ensure(
-        !(to == S::Tracking && from != to) || c.contains(C::FRESH),
-        "nobody follows setpoints that are old",
-    )?;
+    ensure(!(to == S::Tracking && from != to) || c.contains(C::FRESH), "nobody follows setpoints that are old")?;
     ensure(
         !(to == S::Maneuver && from != to) || (from == S::Tracking && c.contains(C::TRIGGER | C::FRESH)),
         "a maneuver begins on request, from a flight that is followed",
     )?;
-    ensure(
-        !(from == S::Tracking && to == from) || c.contains(C::FRESH),
-        "a flight that nobody leads is recovered",
-    )?;
+    ensure(!(from == S::Tracking && to == from) || c.contains(C::FRESH), "a flight that nobody leads is recovered")?;
     ensure(
         !(from == S::Maneuver && to == from && c.contains(C::ABANDON)) || c.contains(C::FRESH),
         "a maneuver to be given up without its link is",
@@ -207,11 +198,7 @@ fn the_supervisor_takes_the_first_row_that_applies() {
                 let taken = supervisor.step(conditions);
                 let expected = step(&TRANSITIONS, state, c);
                 assert_eq!(taken, expected.map(|(_, reason)| (state, reason)), "{state:?}, {conditions:?}");
-                assert_eq!(
-                    supervisor.state(),
-                    expected.map_or(state, |(to, _)| to),
-                    "{state:?}, {conditions:?}"
-                );
+                assert_eq!(supervisor.state(), expected.map_or(state, |(to, _)| to), "{state:?}, {conditions:?}");
             }
         }
     }
@@ -219,10 +206,9 @@ fn the_supervisor_takes_the_first_row_that_applies() {
 
 /// Whether conditions exist for which this one row decides.
 fn decides(table: &[Transition], row: usize) -> bool {
-    S::ALL
-        .into_iter()
-        .filter(|s| table[row].from.contains(States::from(*s)))
-        .any(|state| subsets(mentioned(table, state)).any(|c| row_taken(table, state, c) == Some(row)))
+    S::ALL.into_iter().filter(|s| table[row].from.contains(States::from(*s))).any(|state| {
+        subsets(mentioned(table, state)).any(|c| row_taken(table, state, c) == Some(row))
+    })
 }
 
 /// Each row decides somewhere in each of its states: none is shadowed by those above it.
@@ -230,8 +216,7 @@ fn decides(table: &[Transition], row: usize) -> bool {
 fn every_row_is_taken_in_each_of_its_states() {
     for (n, row) in TRANSITIONS.iter().enumerate() {
         for state in S::ALL.into_iter().filter(|s| row.from.contains(States::from(*s))) {
-            let taken =
-                subsets(mentioned(&TRANSITIONS, state)).any(|c| row_taken(&TRANSITIONS, state, c) == Some(n));
+            let taken = subsets(mentioned(&TRANSITIONS, state)).any(|c| row_taken(&TRANSITIONS, state, c) == Some(n));
             assert!(taken, "row {n} is never taken in {state:?}");
         }
     }

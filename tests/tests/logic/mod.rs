@@ -8,8 +8,8 @@ use mintime_firmware::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::keeping::{Job, Key};
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose,
-    RECORD_BYTES, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
+    AbortReason, ArmingBlock, BoardTelemetry, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES,
+    RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_tests::reference_cases;
@@ -95,11 +95,7 @@ impl Bench {
     }
 
     pub fn with(capabilities: Capabilities) -> Self {
-        Self::of(FlightLogic::new(
-            Some(VehicleConfig::REFERENCE),
-            capabilities,
-            vec![[0; RECORD_BYTES]; 3200],
-        ))
+        Self::of(FlightLogic::new(Some(VehicleConfig::REFERENCE), capabilities, vec![[0; RECORD_BYTES]; 3200]))
     }
 
     pub fn of(logic: FlightLogic<Record>) -> Self {
@@ -203,9 +199,7 @@ impl Bench {
     /// Where the rates are a tick later.
     fn followed(&self) -> [f32; 3] {
         let blend = TICK_US as f32 * 1e-6 / RATE_RESPONSE_S;
-        core::array::from_fn(|i| {
-            self.rates_radps[i] + blend * (self.out.setpoint.rates_radps[i] - self.rates_radps[i])
-        })
+        core::array::from_fn(|i| self.rates_radps[i] + blend * (self.out.setpoint.rates_radps[i] - self.rates_radps[i]))
     }
 
     /// A sample as a healthy vehicle would give it: it follows the setpoint, with noise that never repeats.
@@ -213,7 +207,10 @@ impl Bench {
         let noise = 1e-3 * ((self.ticks % 17) as f32 - 8.0) / 8.0;
         let falls = self.logic.state() == FlightState::Recovery && !self.stands;
         let force = if falls { self.out.setpoint.thrust_mps2 } else { 9.81 };
-        ImuSample { gyro_radps: self.followed().map(|r| r + noise), accel_mps2: [0.0, 0.0, force] }
+        ImuSample {
+            gyro_radps: self.followed().map(|r| r + noise),
+            accel_mps2: [0.0, 0.0, force],
+        }
     }
 
     pub fn tick_with(&mut self, imu: Option<ImuSample>, interval_us: u64, requests: &[Request]) {
