@@ -194,7 +194,8 @@ fn ready(by: By) -> Served {
     let served = Served::new(by, GOOD);
     let mut session = Session::begin(PortLink::open(&served.port).expect("a port"), None).expect("a vehicle");
     for _ in 0..100 {
-        if session.status().expect("it answers").state == FlightState::Disarmed {
+        let status = session.status().expect("it answers");
+        if status.state == FlightState::Disarmed && status.arming_block == 0 {
             return served;
         }
         session.listen(0.1).expect("it listens");
@@ -207,10 +208,11 @@ fn the_gyros_scale_is_found_by_whole_turns() {
     /// What this gyro makes of a turn.
     const ERROR: f32 = 1.02;
     let served = ready(By::Tcp);
-    // Two turns to the left at 5 rad/s, a second after the calibration has begun, as the gyro feels them.
+    // Two turns to the left at 5 rad/s, as the gyro feels them, when the command has long been waiting: longer altogether
+    // than flash is waited for.
     let turn_rad = 2.0 * core::f32::consts::TAU;
     let ticks = (turn_rad / 5.0 * 800.0).round();
-    served.with_hands(|hands| hands.turn = Some((1200, ERROR * turn_rad * 800.0 / ticks, ticks as u32)));
+    served.with_hands(|hands| hands.turn = Some((8000, ERROR * turn_rad * 800.0 / ticks, ticks as u32)));
     let arguments = ["vehicle", &served.port, "calibrate", "scale", "up", "--turns", "2", "--json"];
     let answer = json(&mintime_told(&arguments, "\n"));
     let scale = answer["gyro_scale"][2].as_f64().expect("a number");
@@ -236,6 +238,8 @@ fn motors_turn_one_by_one_once_the_props_are_off() {
     assert!((throttle[1] - 0.08).abs() < 1e-3, "{throttle:?}");
     assert!([0, 2, 3].iter().all(|i| throttle[*i] < 0.01), "{throttle:?}");
 
+    // It shook; it must have rested for a window before it is armed again.
+    std::thread::sleep(Duration::from_millis(1500));
     let answer = json(&test("props are off\n", &[]));
     assert_eq!(answer["turned"], serde_json::json!([1, 2, 3, 4]));
     assert!(served.with_hands(|hands| hands.throttle).iter().all(|t| *t > 0.05));

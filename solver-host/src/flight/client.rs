@@ -19,8 +19,9 @@ const TRIES: u32 = 10;
 const PENDING_PERIOD_S: f64 = 0.1;
 /// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
 const PENDING_TIMEOUT_S: f64 = 10.0;
-/// Turns by hand may take the vehicle's own patience: 20 s until it rests, 20 s until it is turned, 30 s of turning.
-const TURNING_TIMEOUT_S: f64 = 75.0;
+/// ... but for this long where a person turns the vehicle by hand, s: the vehicle's own patience, 20 s until it rests, 20 s until
+/// it is turned, 30 s of turning.
+const BY_HAND_TIMEOUT_S: f64 = 75.0;
 /// Counters of seals follow the clock at this rate, 1/s, so that each program begins above where the one before it ended.
 const SEALS_PER_S: f64 = 500.0;
 
@@ -34,10 +35,8 @@ pub enum ClientError {
     #[error("the vehicle does not answer: check the link, the baud rate (921600) and the power")]
     Silent,
     /// It says that it is at it, but does not finish.
-    #[error(
-        "the vehicle has been at it for too long and does not finish: switch it off and on, and try again"
-    )]
-    Unfinished,
+    #[error("the vehicle has been at it for {0} s and does not finish: switch it off and on, and try again")]
+    Unfinished(f64),
     /// Something else came back.
     #[error("the vehicle gave an answer that does not fit the question: update its firmware")]
     Mismatch,
@@ -233,8 +232,8 @@ impl Client {
                 return Ok(());
             }
             let by_hand = matches!(pending.request, Request::CalibrateScale { .. });
-            let patience_s = if by_hand { TURNING_TIMEOUT_S } else { PENDING_TIMEOUT_S };
-            (now_s - since_s > patience_s).then_some(ClientError::Unfinished)
+            let timeout_s = if by_hand { BY_HAND_TIMEOUT_S } else { PENDING_TIMEOUT_S };
+            (now_s - since_s > timeout_s).then_some(ClientError::Unfinished(timeout_s))
         } else {
             if waited_s < ANSWER_TIMEOUT_S {
                 return Ok(());

@@ -11,7 +11,7 @@ use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleCo
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
-use mintime_shared::messages::{BoardTelemetry, FlightState, KillSwitch, RECORD_BYTES};
+use mintime_shared::messages::{BoardTelemetry, KillSwitch, RECORD_BYTES};
 
 /// What the line does to chunks of bytes (datagrams, where it is UDP), each way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -38,7 +38,7 @@ pub(crate) enum By {
 /// What hands do with the vehicle, and what its motors have done.
 #[derive(Debug, Default)]
 pub(crate) struct Hands {
-    /// Once it calibrates: wait this many ticks, then turn about up by this rate, rad/s, for this many ticks.
+    /// Wait this many ticks, then turn about up by this rate, rad/s, for this many ticks.
     pub(crate) turn: Option<(u32, f32, u32)>,
     /// Highest throttle that each output has had.
     pub(crate) throttle: [f32; 4],
@@ -201,10 +201,10 @@ impl Way {
 }
 
 /// The rate about up that hands give the vehicle now, rad/s.
-fn turned(hands: &mut Hands, state: FlightState) -> f32 {
+fn turned(hands: &mut Hands) -> f32 {
     let Some((wait, rate_radps, ticks)) = &mut hands.turn else { return 0.0 };
     if *wait > 0 {
-        *wait -= u32::from(state == FlightState::Calibrating);
+        *wait -= 1;
         return 0.0;
     }
     let rate_radps = *rate_radps;
@@ -247,7 +247,7 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool, hands: &Mutex<Hands
         // A real gyro's last bit never rests.
         let noise = if tick.is_multiple_of(2) { 1e-3 } else { -1e-3 };
         let mut hands = hands.lock().unwrap_or_else(PoisonError::into_inner);
-        let yaw = turned(&mut hands, vehicle.state());
+        let yaw = turned(&mut hands);
         let imu =
             Some(ImuSample { gyro_radps: [noise, -noise, noise + yaw], accel_mps2: [0.0, noise, 9.81] });
         let input = TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };

@@ -10,8 +10,6 @@ use super::{Bench, Said};
 
 /// A bias is learned in half a second of stillness, s.
 const BIAS_TIMEOUT_S: f64 = 15.0;
-/// A turn may take this long, and what the vehicle makes of it, s.
-const TURN_TIMEOUT_S: f64 = 60.0;
 
 /// Arguments of `calibrate`.
 #[derive(Args)]
@@ -82,11 +80,11 @@ fn scale(bench: &mut Bench, axis: Axis, turns: i8) -> Said {
         return Err("nobody pressed Enter: run this from a terminal".into());
     }
     let index = axis as u8;
-    bench.tell("calibrating the scale", Request::CalibrateScale { axis: index, turns })?;
-    if let Err(error) = settle(bench, TURN_TIMEOUT_S) {
+    // Answered once it is over.
+    if let Err(error) = bench.tell("calibrating the scale", Request::CalibrateScale { axis: index, turns }) {
         // The vehicle must not go on waiting for a turn that nobody makes.
         let _ = bench.tell("giving the calibration up", Request::CalibrateScale { axis: index, turns: 0 });
-        return Err(error);
+        return Err(error.into());
     }
     let after = bench.settings()?.gyro_scale;
     let text = format!(
