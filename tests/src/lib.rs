@@ -1,5 +1,7 @@
 //! What the end-to-end tests share: the reference maneuvers and how they become tables.
 
+pub mod fuzz;
+
 use mintime_shared::minimum_principle::Costate;
 use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
 use mintime_shared::table::{ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, ManeuverTable, TableHeader};
