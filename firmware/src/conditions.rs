@@ -2,16 +2,16 @@
 
 use mintime_shared::messages::{ArmingBlock, FlightState, IncidentCause, KillSwitch, Telemetry};
 use mintime_shared::real::at_least;
-use mintime_shared::table::{LinkPolicy, ManeuverTable};
+use mintime_shared::table::LinkPolicy;
 
 use crate::config::{
-    ARMED_IDLE_US, ARMING_TILT_RAD, BATTERY_SAG_TICKS, GATE_RATE_RADPS, GATE_TILT_RAD, LATE_ABORT_US,
-    LIFT_THRUST_MPS2, LOST_SAMPLES_ABORT, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS,
-    SETPOINT_FRESH_US,
+    ARMED_IDLE_US, ARMING_TILT_COS, BATTERY_SAG_TICKS, GATE_RATE_RADPS, LATE_ABORT_US, LIFT_THRUST_MPS2,
+    LOST_SAMPLES_ABORT, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS, SETPOINT_FRESH_US,
 };
 use crate::flight::{Clock, FlightLogic};
 use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
+use crate::tables::Committed;
 
 impl<M: RecordMemory> FlightLogic<M> {
     /// Conditions that follow from sensors and time.
@@ -125,21 +125,22 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::TERMINATED, terminated)
             .when(B::INCIDENT, crashed || (self.incident.is_some() && !terminated))
             .when(B::LANDED, state == FlightState::Landed)
-            .when(B::TILTED, self.tilt_rad().is_some_and(|tilt| tilt > ARMING_TILT_RAD))
+            .when(B::TILTED, self.tilt_cos().is_some_and(|cos| cos < ARMING_TILT_COS))
             .when(B::NO_VEHICLE, !self.known)
             .when(B::STORING, self.is_storing())
     }
 
     /// Whether the vehicle stands in the air as the table's start wants it: tilt and rates are all it knows of that.
-    pub(crate) fn is_in_start_gate(&self, table: &ManeuverTable) -> bool {
+    pub(crate) fn is_in_start_gate(&self, committed: &Committed) -> bool {
         let calm = self.gyro.rates_radps().iter().all(|rate| rate.abs() <= GATE_RATE_RADPS);
-        let planned = libm::fabsf(table.start.theta);
-        calm && self.tilt_rad().is_some_and(|tilt| libm::fabsf(tilt - planned) <= GATE_TILT_RAD)
+        let (least, most) = committed.gate_cos;
+        calm && self.tilt_cos().is_some_and(|cos| (least..=most).contains(&cos))
     }
 
-    /// Tilt, rad; `None` before the vehicle was seen at rest.
-    fn tilt_rad(&self) -> Option<f32> {
-        self.attitude.is_known().then(|| self.attitude.tilt_rad())
+    /// Cosine of the tilt; `None` before the vehicle was seen at rest.
+    fn tilt_cos(&self) -> Option<f32> {
+        let [_, _, up] = self.attitude.up_in_body();
+        self.attitude.is_known().then_some(up)
     }
 
     /// How the vehicle is.

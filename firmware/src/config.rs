@@ -79,8 +79,9 @@ pub const RECOVERY_LOW_THRUST_MPS2: f32 = 3.0;
 pub const GATE_TILT_RAD: f32 = 0.12;
 /// Likewise, largest body rate, rad/s.
 pub const GATE_RATE_RADPS: f32 = 0.6;
-/// Largest tilt at which the motors may be started, rad (15 degrees): on level ground, with the accelerometer's own error.
-pub const ARMING_TILT_RAD: f32 = 0.26;
+/// Cosine of the largest tilt at which the motors may be started (15 degrees): level ground, with the accelerometer's own
+/// error.
+pub const ARMING_TILT_COS: f32 = 0.966;
 /// Battery below its critical voltage for this many ticks (0.2 s) is no dip.
 pub const BATTERY_SAG_TICKS: u32 = 160;
 /// Rotors at their limit for this many ticks in a row (150 ms) in a maneuver: longer than any reversal.

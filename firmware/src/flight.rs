@@ -30,7 +30,7 @@ use crate::config::{
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
 use crate::keeping::{Keeper, Slots};
-use crate::mixer::{Demand, RotorDrive, mix, to_outputs};
+use crate::mixer::{Demand, RotorDrive, mix_below, to_outputs};
 use crate::player::Player;
 use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
@@ -482,15 +482,11 @@ impl<M: RecordMemory> FlightLogic<M> {
             follow_angle: self.state() == FlightState::Maneuver,
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
-        let mixed = match self.thrust_cap_mps2() {
-            None => mix(&self.config, &demand),
-            // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
-            Some(cap_mps2) => {
-                let share_n = cap_mps2 * self.config.mass_kg / MOTOR_COUNT as f32;
-                let rotor_thrust_max_n = at_least(share_n, self.config.rotor_thrust_idle_n);
-                mix(&VehicleConfig { rotor_thrust_max_n, ..self.config }, &demand)
-            }
-        };
+        // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
+        let high_n = self.thrust_cap_mps2().map_or(self.config.rotor_thrust_max_n, |cap_mps2| {
+            at_least(cap_mps2 * self.config.mass_kg / MOTOR_COUNT as f32, self.config.rotor_thrust_idle_n)
+        });
+        let mixed = mix_below(&self.config, &demand, high_n);
         self.rate.limited(&mixed.saturation);
         // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
         // leaves yaw behind is part of a healthy flight.

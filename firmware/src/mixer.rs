@@ -50,7 +50,12 @@ pub fn rotor_thrusts(config: &VehicleConfig, demand: &Demand) -> [f32; MOTOR_COU
 ///
 /// Non-finite demands count as zero torque and hover thrust; the caller filters them, this keeps the output finite.
 pub fn mix(config: &VehicleConfig, demand: &Demand) -> Mixed {
-    let (low, high) = (config.rotor_thrust_idle_n, config.rotor_thrust_max_n);
+    mix_below(config, demand, config.rotor_thrust_max_n)
+}
+
+/// The same with no rotor above `high_n`, which is no lower than its idle thrust.
+pub fn mix_below(config: &VehicleConfig, demand: &Demand, high_n: f32) -> Mixed {
+    let (low, high) = (config.rotor_thrust_idle_n, high_n);
     let range = high - low;
     let finite = |v: f32, otherwise: f32| if v.is_finite() { v } else { otherwise };
     let [jx, jy, jz] = config.inertia_kgm2;

@@ -393,7 +393,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         if planned_mps2 > at_hand(self.config.thrust_available_mps2(volts), self.thrust_cap_mps2()) {
             return Err(Refusal::BatteryThrust);
         }
-        if self.is_in_start_gate(&committed.table) { Ok(()) } else { Err(Refusal::OutsideGate) }
+        if self.is_in_start_gate(committed) { Ok(()) } else { Err(Refusal::OutsideGate) }
     }
 
     #[inline(never)]

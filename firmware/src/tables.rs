@@ -6,7 +6,7 @@ use mintime_shared::messages::Refusal;
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 
-use crate::config::VehicleConfig;
+use crate::config::{GATE_TILT_RAD, VehicleConfig};
 
 /// A table's bytes.
 pub(crate) type TableBytes = Vec<u8, MAX_TABLE_BYTES>;
@@ -27,6 +27,8 @@ pub(crate) struct Tables {
 pub(crate) struct Committed {
     pub(crate) table: ManeuverTable,
     pub(crate) checksum: u32,
+    /// Least and greatest cosine of the tilt from which it may be triggered.
+    pub(crate) gate_cos: (f32, f32),
 }
 
 /// What a commit did.
@@ -108,7 +110,8 @@ impl Tables {
 
     fn put(&mut self, table: ManeuverTable, checksum: u32) -> Commit {
         let plan = Plan::new(&table);
-        self.committed = Some(Committed { table, checksum });
+        let gate_cos = start_gate(table.start.theta);
+        self.committed = Some(Committed { table, checksum, gate_cos });
         Commit::New(plan)
     }
 
@@ -147,4 +150,41 @@ fn check(bytes: &[u8], checksum: u32, config: &VehicleConfig) -> Result<Maneuver
     }
     table.check_for(config.hash(), &config.plan_limits()).map_err(Refusal::Table)?;
     Ok(table)
+}
+
+/// Least and greatest cosine of the tilt within [`GATE_TILT_RAD`] of a table's start. Worked out with the commit, where no
+/// motor waits for it. What is open on a side is 2: a unit vector may be longer than one by its rounding.
+fn start_gate(theta_rad: f32) -> (f32, f32) {
+    let tilt_rad = libm::fabsf(libm::remainderf(theta_rad, core::f32::consts::TAU));
+    let (near_rad, far_rad) = (tilt_rad - GATE_TILT_RAD, tilt_rad + GATE_TILT_RAD);
+    let least = if far_rad < core::f32::consts::PI { libm::cosf(far_rad) } else { -2.0 };
+    let most = if near_rad > 0.0 { libm::cosf(near_rad) } else { 2.0 };
+    (least, most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the angles themselves.
+    #[test]
+    fn the_gate_is_open_just_around_the_starts_tilt() {
+        for turns in [-1.0_f32, 0.0, 2.0] {
+            for start in 0..=31 {
+                let start = start as f32 * 0.1;
+                let (least, most) = start_gate(turns * core::f32::consts::TAU - start);
+                for tilt in 0..=314 {
+                    let tilt = tilt as f32 * 0.01;
+                    let away = (tilt - start).abs();
+                    if (away - GATE_TILT_RAD).abs() > 1e-3 {
+                        assert_eq!(
+                            (least..=most).contains(&tilt.cos()),
+                            away < GATE_TILT_RAD,
+                            "{start} {tilt}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 }

@@ -127,7 +127,7 @@ fn bad_input_is_refused_in_one_sentence_before_anything_moves() {
     let cases: [(&[&str], &str); 23] = [
         (&["fly", "--to", "nan,5"], "not finite"),
         (&["fly", "--to", "5,inf"], "not finite"),
-        (&["fly", "--to", "5"], "2 numbers"),
+        (&["fly", "--to", "5"], "or 2: ahead and up"),
         (&["fly", "--to", "five,5"], "not a number"),
         (&["fly", "--to", "5,5", "--thrust-per-mass", "9.81,20"], "cannot hover"),
         (&["fly", "--to", "5,5", "--thrust-per-mass", "1,9"], "cannot hover"),

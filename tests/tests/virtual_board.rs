@@ -9,7 +9,7 @@ use mintime::mission::{
     Flown, Mission, PlanarError, PlantChoice, Prepared, Source, VehicleChoice, fly_mission, prepare,
 };
 use mintime::solver::Turns;
-use mintime_firmware::config::{BoardStatus, Capabilities, VehicleConfig};
+use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleConfig};
 use mintime_firmware::vehicle::Vehicle;
 use mintime_firmware::watch::{Watch, flags};
 use mintime_shared::messages::{BoardTelemetry, FlightState, RECORD_BYTES};
@@ -129,6 +129,13 @@ fn what_the_image_computed_is_what_the_library_computes_bit_for_bit() {
     let record = vec![[0_u8; RECORD_BYTES]; 3200];
     let nothing = Capabilities { gyro: false, motors: false };
     let mut vehicle = Vehicle::new(None, nothing, record);
+    // What the board says before its first tick.
+    vehicle.set_board_status(&BoardStatus {
+        capabilities: nothing,
+        starting: true,
+        telemetry: BoardTelemetry::default(),
+        store: StoreStatus { present: true, ..StoreStatus::default() },
+    });
     let mut maneuver_ticks = 0;
     for watch in &ticks {
         let got = vehicle.tick(&watch.input());
