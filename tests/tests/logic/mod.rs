@@ -163,7 +163,7 @@ impl Bench {
         if matches!(state, FlightState::Boot | FlightState::Calibrating) {
             let mut bench = Self::new();
             if state == FlightState::Boot {
-                bench.logic.set_board_status(&status(BOTH, true));
+                bench.logic.set_board_status(&status(Capabilities { gyro: false, ..BOTH }, true));
             }
             bench.run(50);
             assert_eq!(bench.logic.state(), state);
