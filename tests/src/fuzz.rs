@@ -229,7 +229,7 @@ fn fly(table: &ManeuverTable, clock: &[u8]) {
         period.observe(interval_us);
         now_us += interval_us;
     }
-    assert!(over, "{} s have not passed by {now_us} µs", duration_s);
+    assert!(over, "{duration_s} s have not passed by {now_us} µs");
 }
 
 /// Bytes from the receiver, in steps: half the milliseconds since the last (255: the clock goes back), how many bytes, the
