@@ -378,7 +378,7 @@ fn a_million_ticks_of_any_bytes() {
                 match world.draw.below(16) {
                     0 => {
                         bytes[world.draw.below(frame.as_bytes().len() as u64) as usize] ^=
-                            world.draw.bits() as u8
+                            world.draw.bits() as u8;
                     }
                     1 => bytes.truncate(world.draw.below(frame.as_bytes().len() as u64) as usize),
                     2 => bytes = (0..world.draw.below(600)).map(|_| world.draw.bits() as u8).collect(),

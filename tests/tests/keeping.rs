@@ -298,7 +298,7 @@ fn vehicle_settings_and_key_outlive_the_power() {
         assert_eq!(bench.logic.pairing(), Some(&[4; 16]));
         match bench.ask(Request::Identify) {
             Reply::Identity(identity) => {
-                assert_eq!((identity.vehicle, identity.paired), (vehicle.hash(), true))
+                assert_eq!((identity.vehicle, identity.paired), (vehicle.hash(), true));
             }
             other => panic!("{other:?}"),
         }
