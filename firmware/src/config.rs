@@ -68,8 +68,16 @@ pub const RECOVERY_FORCE: f32 = 0.9;
 pub const RECOVERY_GAIN_PER_S: f32 = 3.0;
 /// Range of that adjustment: a thrust map may be a fifth off, and on the ground the thrust must go down visibly.
 pub const RECOVERY_RANGE: (f32, f32) = (0.5, 1.2);
-/// A recovering vehicle that keeps its specific force with this part of the thrust stands on something.
-pub const RECOVERY_STANDS: f32 = 0.6;
+/// Least part of the thrust to sink with that a recovery begins with: too little to lift what stands on the ground, even
+/// with a thrust map a fifth off, and near enough not to fall.
+pub const RECOVERY_START: f32 = 0.8;
+/// So long a recovery takes its thrust as it is, s: rotors that came from full thrust have settled.
+pub const RECOVERY_SETTLES_S: f32 = 0.15;
+/// A recovering vehicle that keeps its specific force with this part of the thrust stands on something: less than a thrust
+/// map a fifth off explains, ...
+pub const RECOVERY_STANDS: f32 = 0.75;
+/// ... if it does so for this long, s.
+pub const RECOVERY_STANDS_S: f32 = 0.2;
 /// Cosine of the tilt beyond which a recovery turns the vehicle upright first, 60 degrees.
 pub const RECOVERY_UPRIGHT_COS: f32 = 0.5;
 /// Thrust while it does, m/s²: enough for torque, too little to push it far.

@@ -10,7 +10,7 @@ use mintime_firmware::receiver::{
 };
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
-use mintime_shared::messages::{self, Downlink, RECORD_BYTES};
+use mintime_shared::messages::{self, Downlink, FlightState, RECORD_BYTES};
 use mintime_shared::replay::{Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableError};
 use serde::ser::SerializeTuple;
@@ -50,18 +50,20 @@ fn triple(data: &mut &[u8], bound: f32) -> [f32; 3] {
 /// and what is sensed ([`STEP_GYRO`] and so on), three bytes of rates and of accelerations if so, a length, and so many
 /// bytes for the line.
 ///
+/// Answers the states it came to.
+///
 /// # Panics
 /// Where the vehicle breaks a promise.
-pub fn uplink(data: &[u8]) {
-    live(data, <[u8]>::to_vec);
+pub fn uplink(data: &[u8]) -> Vec<FlightState> {
+    live(data, <[u8]>::to_vec)
 }
 
 /// The same, but what each step says is a frame's content: its checksum is right, whatever is in it.
 ///
 /// # Panics
 /// Where the vehicle breaks a promise.
-pub fn past_checksum(data: &[u8]) {
-    live(data, framed);
+pub fn past_checksum(data: &[u8]) -> Vec<FlightState> {
+    live(data, framed)
 }
 
 /// A sound frame around any content that is not too long for one.
@@ -77,7 +79,8 @@ fn framed(content: &[u8]) -> Vec<u8> {
     encode(&Raw(content)).expect("a length in one byte fits").as_bytes().to_vec()
 }
 
-fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) {
+fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) -> Vec<FlightState> {
+    let mut states = Vec::new();
     let capabilities = Capabilities { gyro: true, motors: true };
     let mut vehicle =
         Vehicle::new(Some(VehicleConfig::REFERENCE), capabilities, vec![[0; RECORD_BYTES]; 100]);
@@ -115,6 +118,9 @@ fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) {
             let out = vehicle.tick(&input);
             let state = vehicle.state();
             assert_eq!(out.throttle.is_some(), state.motors_on(), "{state:?}: {out:?}");
+            if states.last() != Some(&state) {
+                states.push(state);
+            }
             let throttle = out.throttle.unwrap_or_default();
             assert!(throttle.iter().all(|t| (0.0..=1.0).contains(t)), "{state:?}: {out:?}");
             assert!(out.setpoint.is_in_range(), "{state:?}: {out:?}");
@@ -133,6 +139,7 @@ fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) {
             }
         }
     }
+    states
 }
 
 /// Bytes as a maneuver table: as they are; with layout and checksum made right; with the end made right, too. What passes
@@ -222,7 +229,7 @@ fn fly(table: &ManeuverTable, clock: &[u8]) {
         period.observe(interval_us);
         now_us += interval_us;
     }
-    assert!(over, "{} s have not passed by {now_us} µs", duration_s);
+    assert!(over, "{duration_s} s have not passed by {now_us} µs");
 }
 
 /// Bytes from the receiver, in steps: half the milliseconds since the last (255: the clock goes back), how many bytes, the

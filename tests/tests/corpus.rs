@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use mintime_firmware::receiver::{CHANNELS, crc8};
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    MOTOR_TEST_THROTTLE_MAX, PROTOCOL_VERSION, Purpose, Request, STAGE_CHUNK_BYTES, Setpoint, Uplink,
+    FlightState, MOTOR_TEST_THROTTLE_MAX, PROTOCOL_VERSION, Purpose, Request, STAGE_CHUNK_BYTES, Setpoint,
+    Uplink,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable};
@@ -21,26 +22,35 @@ fn directory(target: &str) -> PathBuf {
 }
 
 /// Runs all that is kept for a target, which is `least` files or more.
-fn run(target: &str, least: usize, body: fn(&[u8])) {
+fn run<T>(target: &str, least: usize, body: fn(&[u8]) -> T) -> Vec<T> {
     let mut files: Vec<_> =
         fs::read_dir(directory(target)).expect("the corpus").map(|f| f.expect("a file").path()).collect();
     files.sort();
     assert!(files.len() >= least, "{target}: {} files", files.len());
-    for file in files {
+    let answer = |file: PathBuf| {
         // Where it panics its name is the last that was said.
         println!("{}", file.display());
-        body(&fs::read(&file).expect("readable"));
+        body(&fs::read(&file).expect("readable"))
+    };
+    files.into_iter().map(answer).collect()
+}
+
+/// The corpus would see little if its vehicles stayed on the ground.
+fn assert_all_states(lives: &[Vec<FlightState>]) {
+    // Boot ends with the first tick.
+    for state in FlightState::ALL.into_iter().filter(|state| *state != FlightState::Boot) {
+        assert!(lives.iter().flatten().any(|s| *s == state), "never {state:?}");
     }
 }
 
 #[test]
 fn uplinks_are_survived() {
-    run("uplink", 40, uplink);
+    assert_all_states(&run("uplink", 40, uplink));
 }
 
 #[test]
 fn contents_of_sound_frames_are_survived() {
-    run("past_checksum", 40, past_checksum);
+    assert_all_states(&run("past_checksum", 40, past_checksum));
 }
 
 #[test]
