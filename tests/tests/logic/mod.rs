@@ -163,11 +163,7 @@ impl Bench {
         if matches!(state, FlightState::Boot | FlightState::Calibrating) {
             let mut bench = Self::new();
             if state == FlightState::Boot {
-<<<<<<< HEAD
                 bench.logic.set_board_status(&status(Capabilities { gyro: false, motors: true }, true));
-=======
-                bench.logic.set_board_status(&status(Capabilities { gyro: false, ..BOTH }, true));
->>>>>>> fuzz5
             }
             bench.run(50);
             assert_eq!(bench.logic.state(), state);
