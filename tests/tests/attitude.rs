@@ -216,7 +216,7 @@ fn any_attitude_is_levelled_within_a_second() {
     let mut slowest = 0.0f64;
     for case in 0..200 {
         // Uniform over all rotations (Shoemake), and one exactly upside down.
-        let (a, b, c) = (uniform(), uniform() * std::f32::consts::TAU, uniform() * std::f32::consts::TAU);
+        let (a, b, c) = (uniform(), uniform() * std::f64::consts::TAU, uniform() * std::f64::consts::TAU);
         let (p, q) = (a.sqrt(), (1.0 - a).sqrt());
         let random = [p * c.cos(), q * b.sin(), q * b.cos(), p * c.sin()];
         let attitude = if case == 0 { [0.0, 1.0, 0.0, 0.0] } else { random };
