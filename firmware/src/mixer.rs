@@ -123,7 +123,7 @@ pub fn speed_of_throttle(linear_share: f32, throttle: f32) -> f32 {
 }
 
 /// What each output line gets, from what the motor at each place of the frame shall get: the one place where wiring
-/// matters. Lines to which no motor is wired stay at zero: see [`VehicleConfig::is_sound`].
+/// matters. Lines to which no motor is wired stay at zero: see [`VehicleConfig::check`].
 pub fn to_outputs(config: &VehicleConfig, by_place: [f32; MOTOR_COUNT]) -> [f32; MOTOR_COUNT] {
     let mut lines = [0.0; MOTOR_COUNT];
     for (value, line) in by_place.into_iter().zip(config.outputs) {
