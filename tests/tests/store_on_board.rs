@@ -9,7 +9,7 @@ use emulator::core::Timing;
 use emulator::machine::symbol_address;
 use emulator::{Machine, Stop};
 
-const KEYS: usize = 10;
+const KEYS: usize = mintime_firmware::store::Key::ALL.len();
 /// The internal oscillator.
 const CYCLES_PER_MS: u64 = 16_000;
 

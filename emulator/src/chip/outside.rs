@@ -134,6 +134,9 @@ impl<B: Board> Chip<B> {
     /// from a power-on reset as soon as the core looks; RAM keeps its content, which is one of the things it may do.
     pub fn cut_power(&mut self, memory: &mut Memory, noise: u64) {
         self.flash.cut(memory, noise);
+        // Caches are memory without power, too.
+        memory.flash_interface.flush_instruction_cache();
+        memory.flash_interface.flush_data_cache();
         self.ask_for_reset(super::rcc::CSR_POWER_UP);
     }
 

@@ -15,6 +15,16 @@ const FIRST_REVISION_WITH_PREFETCH: u16 = 0x1001;
 /// flash must reset the data cache afterwards.
 pub(super) fn enable_flash_caches() {
     let revision = pac::DBGMCU.idcode().read().rev_id();
+    // A reset leaves in the caches what it interrupted, an erase perhaps. They can be emptied only while they are off, as they
+    // are after it (RM0090 section 3.9.1).
+    pac::FLASH.acr().modify(|w| {
+        w.set_icrst(true);
+        w.set_dcrst(true);
+    });
+    pac::FLASH.acr().modify(|w| {
+        w.set_icrst(false);
+        w.set_dcrst(false);
+    });
     pac::FLASH.acr().modify(|w| {
         w.set_icen(true);
         w.set_dcen(true);
