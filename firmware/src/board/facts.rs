@@ -194,7 +194,8 @@ pub(super) const BATTERY_VOLTS_PER_COUNT: f32 = 11.0 * 3.3 / 4095.0;
 pub(super) const MOTOR_TIMER: pac::timer::TimGp16 = pac::TIM4;
 /// The motors' frame begins this long after the gyro's edge, whatever the tick took, µs: constant latency is worth more
 /// than a few microseconds less. On the virtual board, with pessimistic timing of the processor and its buses, the frame is
-/// ready 60.5 µs after the edge at worst, in a maneuver; with 26.7 µs for the frame its last bit ends at 95.
+/// ready before that in every tick of a flight, a maneuver's first one and a saturated link included; with 26.7 µs for the
+/// frame its last bit ends at 98.3.
 pub(super) const MOTOR_START_US: u32 = 71;
 /// Function of the motor pins that connects them to it.
 pub(super) const MOTOR_ALTERNATE_FUNCTION: u8 = 2;
