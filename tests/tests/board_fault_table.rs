@@ -48,7 +48,7 @@ rows! {
     frozen_gyro_maneuver: GyroFrozen in Maneuver => Terminated within 35 off 35 told GyroFrozen;
     saturated_gyro_tracking: GyroSaturated in Tracking => Terminated within 8 off 8 told GyroSaturated;
     saturated_gyro_maneuver: GyroSaturated in Maneuver => Terminated within 8 off 8 told GyroSaturated;
-    reversed_gyro_tracking: GyroReversed in Tracking => Terminated within 450 off 450 told GyroSaturated;
+    reversed_gyro_tracking: GyroReversed in Tracking => Terminated within 600 off 600 told GyroSaturated;
     reversed_gyro_maneuver: GyroReversed in Maneuver => Terminated within 100 off 100 told GyroSaturated;
     bus_high_tracking: BusHigh in Tracking => Terminated within 12 off 12 told GyroMissing;
     bus_low_tracking: BusLow in Tracking => Terminated within 12 off 12 told GyroMissing;
