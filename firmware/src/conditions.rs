@@ -1,6 +1,6 @@
 //! What is true of the vehicle this tick: for the supervisor, for whoever wants to arm or trigger, for telemetry.
 
-use mintime_shared::messages::{ArmingBlock, FlightState, IncidentCause, KillSwitch, Telemetry};
+use mintime_shared::messages::{ArmingBlock, FlightState, KillSwitch, Telemetry};
 use mintime_shared::real::at_least;
 use mintime_shared::table::LinkPolicy;
 
@@ -104,7 +104,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         let low = self.battery_v.is_some_and(|v| v < self.config.battery_low_v);
         let state = self.state();
         let terminated = state == FlightState::Terminated;
-        let crashed = self.incident.is_some_and(|i| !matches!(i.cause, IncidentCause::Terminated(_)));
+        // Why it is terminated has a bit of its own.
+        let told = |number| terminated && self.incidents.is_termination(number);
+        let incident = self.incidents.iter().any(|incident| !told(incident.number));
         B::none()
             .when(B::STARTING, self.starting)
             .when(B::NO_GYRO, !self.capabilities.gyro && !self.starting)
@@ -123,7 +125,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::NO_KILL_SWITCH, self.kill == KillSwitch::Absent && !self.kill_is_waived())
             .when(B::LATE_TICKS, self.interval_us >= LATE_ABORT_US)
             .when(B::TERMINATED, terminated)
-            .when(B::INCIDENT, crashed || (self.incident.is_some() && !terminated))
+            .when(B::INCIDENT, incident)
             .when(B::LANDED, state == FlightState::Landed)
             .when(B::TILTED, self.tilt_cos().is_some_and(|cos| cos < ARMING_TILT_COS))
             .when(B::NO_VEHICLE, !self.known)
@@ -151,7 +153,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             state: self.state(),
             arming_block: self.arming_block().0,
             abort: self.supervisor.abort(),
-            incident: self.incident,
+            incident: self.incidents.oldest(),
             kill: self.kill,
             table: self.tables.committed_checksum(),
             maneuver_s: self.player.elapsed_s(),

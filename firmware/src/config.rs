@@ -165,5 +165,7 @@ pub const REPEATED_TRIGGER_US: u64 = 15_000_000;
 pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 1000);
 /// Requests that one tick takes.
 pub const INBOX: usize = 4;
+/// Incidents that wait to be acknowledged.
+pub const INCIDENTS: usize = 4;
 /// Messages waiting for the link. One tick adds at most [`INBOX`] answers and a telemetry.
 pub const OUTBOX: usize = 8;

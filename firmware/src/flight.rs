@@ -13,8 +13,8 @@
 
 use heapless::Deque;
 use mintime_shared::messages::{
-    AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, Incident, IncidentCause,
-    KillSwitch, Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
+    AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, IncidentCause, KillSwitch,
+    Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
 use mintime_shared::real::{at_least, at_most};
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
@@ -29,6 +29,7 @@ use crate::config::{
 };
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
+use crate::incidents::Incidents;
 use crate::keeping::{Keeper, Slots};
 use crate::mixer::{Demand, RotorDrive, mix_below, to_outputs};
 use crate::player::Player;
@@ -116,9 +117,7 @@ pub struct FlightLogic<M> {
     pub(crate) supervisor: Supervisor,
     pub(crate) purpose: Purpose,
     pub(crate) motor_test: Option<MotorTest>,
-    pub(crate) incident: Option<Incident>,
-    /// Number of the latest incident.
-    pub(crate) incidents: u16,
+    pub(crate) incidents: Incidents,
     pub(crate) state_since_us: u64,
     // What it senses.
     pub(crate) gyro: Gyro,
@@ -204,8 +203,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             supervisor: Supervisor::new(),
             purpose: Purpose::Flight,
             motor_test: None,
-            incident: None,
-            incidents: 0,
+            incidents: Incidents::new(),
             state_since_us: 0,
             gyro: Gyro::new(),
             attitude: AttitudeEstimate::new(),

@@ -27,6 +27,7 @@ pub mod dshot;
 mod events;
 pub mod flight;
 pub mod gyro;
+mod incidents;
 pub mod keeping;
 pub mod link;
 pub mod low_pass;

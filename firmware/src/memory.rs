@@ -44,17 +44,16 @@ impl<M: RecordMemory> FlightLogic<M> {
         true
     }
 
-    /// Something happened that a person must know of. The newest is what waits; what came before stands in the event log.
+    /// Something happened that a person must know of. It waits to be acknowledged, after what came before.
     #[inline(never)]
     pub fn report(&mut self, cause: IncidentCause) {
-        self.incidents = self.incidents.wrapping_add(1).max(1);
-        self.incident = Some(Incident { number: self.incidents, cause });
+        self.incidents.push(cause);
         self.events.push(self.last_us.unwrap_or(0), Happening::Incident(cause));
     }
 
-    /// What waits to be acknowledged.
+    /// What waits to be acknowledged; of several the oldest.
     pub fn incident(&self) -> Option<Incident> {
-        self.incident
+        self.incidents.oldest()
     }
 
     /// What the vehicle is, or is taken for until it has been told.

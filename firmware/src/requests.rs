@@ -35,13 +35,22 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// `conditions`.
     pub(crate) fn take_orders(&mut self, inbox: &Inbox, now_us: u64, conditions: &mut Conditions) {
         self.verdicts.clear();
+        let mut trigger = None;
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
                 // Anybody may ask a paired vehicle who it is: that does not say that its host is there.
                 if self.pairing.is_none() || uplink.request != Request::Identify {
                     self.heard_us = Some(now_us);
                 }
-                self.take(uplink.number, &uplink.request, now_us, conditions)
+                let verdict = self.take(uplink.number, &uplink.request, now_us, conditions);
+                // One maneuver a tick: another trigger would be told that its own is flown.
+                if verdict == Verdict::After(FlightState::Maneuver)
+                    && *trigger.get_or_insert(uplink.number) != uplink.number
+                {
+                    Verdict::Now(Err(Refusal::WrongState(FlightState::Maneuver)))
+                } else {
+                    verdict
+                }
             } else {
                 Verdict::Now(Err(Refusal::ProtocolVersion))
             };
@@ -115,6 +124,10 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Verdict::After(FlightState::Disarmed)
             }
             Request::Acknowledge { incident } => self.take_acknowledgement(incident, conditions),
+            // Another one has come first.
+            Request::Arm(purpose) if conditions.contains(Conditions::ARM) && self.purpose != purpose => {
+                Verdict::Now(Err(Refusal::OtherPurpose))
+            }
             Request::Arm(purpose) => match self.may_arm(purpose) {
                 Ok(()) => {
                     if !self.state().motors_on() {
@@ -145,21 +158,31 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
-    /// Acknowledging what has been acknowledged is harmless.
+    /// Only the oldest can be acknowledged: nobody skips what he has not been told of. Acknowledging what has been
+    /// acknowledged is harmless.
     #[inline(never)]
     fn take_acknowledgement(&mut self, number: u16, conditions: &mut Conditions) -> Verdict {
-        match self.incident {
-            _ if self.state().motors_on() => Verdict::Now(Err(Refusal::MotorsOn)),
-            None if number != 0 && number == self.incidents => Verdict::Now(Ok(())),
-            Some(incident) if incident.number == number => {
-                if self.state() == FlightState::Terminated && self.kill_refuses() {
-                    return Verdict::Now(Err(Refusal::KillSwitch));
-                }
-                *conditions |= Conditions::ACKNOWLEDGE;
-                Verdict::Later
-            }
-            _ => Verdict::Now(Err(Refusal::NoSuchIncident)),
+        if self.state().motors_on() {
+            return Verdict::Now(Err(Refusal::MotorsOn));
         }
+        if self.incidents.is_over(number) {
+            return Verdict::Now(Ok(()));
+        }
+        if self.incidents.oldest().is_none_or(|oldest| oldest.number != number) {
+            return Verdict::Now(Err(Refusal::NoSuchIncident));
+        }
+        if self.leads_out(number) {
+            if self.kill_refuses() {
+                return Verdict::Now(Err(Refusal::KillSwitch));
+            }
+            *conditions |= Conditions::ACKNOWLEDGE;
+        }
+        Verdict::Later
+    }
+
+    /// Whether it is this incident that keeps the vehicle terminated.
+    fn leads_out(&self, number: u16) -> bool {
+        self.state() == FlightState::Terminated && self.incidents.is_termination(number)
     }
 
     /// What the motors do not hang on, in the state that the tick has led to.
@@ -255,12 +278,14 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::Calibrate => self.calibrate(number),
             Request::CalibrateScale { axis, turns } => self.calibrate_scale((number, axis, turns), now_us),
             // Another stop came with it: then it waits on, or nothing would be left to acknowledge.
-            Request::Acknowledge { .. } if self.state() == FlightState::Terminated => {
+            Request::Acknowledge { incident } if self.leads_out(incident) => {
                 Err(Refusal::WrongState(FlightState::Terminated))
             }
             Request::Acknowledge { incident } => {
-                self.events.push(now_us, Happening::Acknowledged(incident));
-                self.incident = None;
+                // Not where the same acknowledgement came twice.
+                if self.incidents.acknowledge(incident) {
+                    self.events.push(now_us, Happening::Acknowledged(incident));
+                }
                 Ok(Reply::Done)
             }
             Request::Record => {

@@ -85,7 +85,7 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.job()
     }
 
-    /// What waits to be acknowledged.
+    /// What waits to be acknowledged; of several the oldest.
     pub fn incident(&self) -> Option<Incident> {
         self.logic.incident()
     }

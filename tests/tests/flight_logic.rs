@@ -422,6 +422,38 @@ fn a_repeated_trigger_fires_once() {
     assert_eq!(bench.logic.state(), FlightState::Maneuver);
 }
 
+/// Of several triggers in one tick one is flown, and only who asked for that one is told so.
+#[test]
+fn of_two_triggers_in_one_tick_one_is_flown() {
+    let trigger = Request::Trigger { checksum: table().checksum() };
+    let mut bench = Bench::in_state(FlightState::Tracking);
+    bench.tick(&[trigger.clone(), trigger.clone()]);
+    assert_eq!(bench.answer(bench.number - 1), Some(Reply::Done));
+    assert_eq!(bench.answer(bench.number), Some(Reply::Refused(Refusal::WrongState(FlightState::Maneuver))));
+    assert_eq!(bench.logic.state(), FlightState::Maneuver);
+    // The second is none that has been flown.
+    bench.number -= 1;
+    assert_eq!(bench.refusal(trigger), Refusal::WrongState(FlightState::Maneuver));
+}
+
+/// Armed for what was asked first; who wants something else is told so.
+#[test]
+fn of_two_purposes_in_one_tick_the_first_counts() {
+    for (first, second) in [(Purpose::Flight, Purpose::MotorTest), (Purpose::MotorTest, Purpose::Flight)] {
+        let mut bench = Bench::ready();
+        bench.tick(&[Request::Arm(first), Request::Arm(second), Request::Arm(first)]);
+        assert_eq!(bench.answer(bench.number - 2), Some(Reply::Done));
+        assert_eq!(bench.answer(bench.number - 1), Some(Reply::Refused(Refusal::OtherPurpose)));
+        assert_eq!(bench.answer(bench.number), Some(Reply::Done));
+        let test = Request::TestMotor { motor: 0, throttle: 0.1, duration_ms: 10 };
+        let want = match first {
+            Purpose::Flight => Reply::Refused(Refusal::OtherPurpose),
+            Purpose::MotorTest => Reply::Done,
+        };
+        assert_eq!(bench.ask(test), want);
+    }
+}
+
 /// It runs to T: as many ticks as fit, each recorded with what the replay commands, then back to the host.
 #[test]
 fn a_maneuver_runs_to_its_end_and_is_recorded() {

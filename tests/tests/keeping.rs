@@ -8,8 +8,8 @@ use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::keeping::Key;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, IncidentCause, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES,
-    StoredTable, TableName,
+    ArmingBlock, FlightState, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, StoredTable,
+    TableName,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::TableError;
@@ -409,23 +409,4 @@ fn a_gyro_scale_is_in_force() {
             assert!((rate - 2.0 * scale).abs() < 2e-3, "{rate} for a scale of {scale}");
         }
     }
-}
-
-/// An incident is acknowledged by its number, once; a newer one waits in its turn.
-#[test]
-fn incidents_are_acknowledged_by_number() {
-    let mut bench = Bench::ready();
-    for cause in [IncidentCause::Panic(7), IncidentCause::Watchdog] {
-        bench.logic.report(cause);
-        let incident = bench.telemetry().incident.expect("it waits");
-        assert_eq!(incident.cause, cause);
-        for wrong in [0, incident.number - 1, incident.number + 1, u16::MAX] {
-            assert_eq!(bench.refusal(Request::Acknowledge { incident: wrong }), Refusal::NoSuchIncident);
-        }
-        let right = Request::Acknowledge { incident: incident.number };
-        assert_eq!(bench.ask(right.clone()), Reply::Done);
-        assert_eq!(bench.telemetry().incident, None);
-        assert_eq!(bench.ask(right), Reply::Done, "its answer was lost and it comes again");
-    }
-    bench.arm();
 }

@@ -329,6 +329,7 @@ fn cases() -> Vec<Case> {
     let incident = told.telemetry().incident.expect("it waits").number;
     all.push(case(told, Request::Acknowledge { incident: incident + 1 }, Refusal::NoSuchIncident, |bench| {
         bench.logic.report(IncidentCause::BrownOut);
+        assert_eq!(bench.acknowledge(), Reply::Done);
     }));
     for kill in [KillSwitch::Stop, KillSwitch::Lost] {
         let mut bench = Bench::in_state(Terminated);

@@ -49,8 +49,13 @@ pub(super) fn acknowledge(bench: &mut Bench) -> Said {
         return Ok((json!({ "acknowledged": null }), "nothing waits to be acknowledged".to_owned()));
     };
     bench.tell("acknowledging", Request::Acknowledge { incident: incident.number })?;
-    let text = format!("acknowledged incident {}: {}", incident.number, incident.cause);
-    Ok((json!({ "acknowledged": incident.number, "cause": incident.cause.to_string() }), text))
+    let mut text = format!("acknowledged incident {}: {}", incident.number, incident.cause);
+    let next = bench.status()?.incident;
+    if let Some(next) = next {
+        text += &format!("\nincident {} waits next: {} (`acknowledge` again)", next.number, next.cause);
+    }
+    let next = next.map(|next| json!({ "number": next.number, "cause": next.cause.to_string() }));
+    Ok((json!({ "acknowledged": incident.number, "cause": incident.cause.to_string(), "next": next }), text))
 }
 
 /// What blocks arming, each reason with what to do.
