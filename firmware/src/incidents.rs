@@ -22,8 +22,8 @@ impl Incidents {
         Self { waiting: Deque::new(), latest: 0, terminated: 0 }
     }
 
-    /// Adds one. Numbers grow by one, and begin anew after 65535 in one run.
-    pub(crate) fn push(&mut self, cause: IncidentCause) {
+    /// Adds one and returns its number. Numbers grow by one, and begin anew after 65535 in one run.
+    pub(crate) fn push(&mut self, cause: IncidentCause) -> u16 {
         let stopped_by = self.terminated;
         self.latest = self.latest.wrapping_add(1).max(1);
         let terminates = matches!(cause, IncidentCause::Terminated(_));
@@ -35,6 +35,7 @@ impl Incidents {
             self.waiting.pop_back();
         }
         let _ = self.waiting.push_back(Incident { number: self.latest, cause });
+        self.latest
     }
 
     /// The one that is told, and that can be acknowledged.

@@ -44,11 +44,18 @@ impl<M: RecordMemory> FlightLogic<M> {
         true
     }
 
-    /// Something happened that a person must know of. It waits to be acknowledged, after what came before.
+    /// Something happened that a person must know of. It waits to be acknowledged, after what came before. Returns its
+    /// number.
     #[inline(never)]
-    pub fn report(&mut self, cause: IncidentCause) {
-        self.incidents.push(cause);
+    pub fn report(&mut self, cause: IncidentCause) -> u16 {
+        let number = self.incidents.push(cause);
         self.events.push(self.last_us.unwrap_or(0), Happening::Incident(cause));
+        number
+    }
+
+    /// All that waits to be acknowledged, the oldest first.
+    pub fn incidents(&self) -> impl Iterator<Item = &Incident> {
+        self.incidents.iter()
     }
 
     /// What waits to be acknowledged; of several the oldest.

@@ -34,9 +34,10 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.restore(key, value)
     }
 
-    /// Says what happened before this start, or to the board. It blocks arming until a person has acknowledged it.
-    pub fn report(&mut self, cause: IncidentCause) {
-        self.logic.report(cause);
+    /// Says what happened before this start, or to the board. It blocks arming until a person has acknowledged it. Returns
+    /// its number.
+    pub fn report(&mut self, cause: IncidentCause) -> u16 {
+        self.logic.report(cause)
     }
 
     /// A number that no earlier start of this vehicle had: what seals are made for.
@@ -83,6 +84,11 @@ impl<M: RecordMemory> Vehicle<M> {
     /// [`crate::config::StoreStatus::finished`] names its ticket.
     pub fn job(&self) -> Option<&Job> {
         self.logic.job()
+    }
+
+    /// All that waits to be acknowledged, the oldest first.
+    pub fn incidents(&self) -> impl Iterator<Item = &Incident> {
+        self.logic.incidents()
     }
 
     /// What waits to be acknowledged; of several the oldest.

@@ -24,7 +24,7 @@ use mintime_firmware::pacing::Pacer;
 use mintime_firmware::receiver::KillState;
 use mintime_firmware::store::Order;
 use mintime_firmware::watch::{RECEIVE_BYTES, Watch};
-use mintime_shared::messages::{BoardTelemetry, KillSwitch};
+use mintime_shared::messages::{AbortReason, BoardTelemetry, IncidentCause, KillSwitch};
 use static_cell::StaticCell;
 
 use super::dshot::Motors;
@@ -79,16 +79,26 @@ struct Control {
     store: StoreStatus,
     /// Ticket of the last job handed to the store.
     ordered: u32,
-    /// What happened before this start has not been acknowledged.
-    crash_waits: bool,
+    /// What is kept of incidents for the next start.
+    kept: Earlier,
     bytes: [u8; BYTES_PER_TICK],
     watch: &'static mut Watch,
+}
+
+/// What nobody has acknowledged and the next start must know of.
+#[derive(Clone, Copy)]
+pub(super) struct Earlier {
+    /// Number of the incident in which the run before ended.
+    pub(super) crash: Option<u16>,
+    /// Why the motors were stopped for good, in this run or before.
+    pub(super) termination: Option<AbortReason>,
 }
 
 /// Starts the control tick.
 #[allow(unsafe_code)]
 pub(super) fn start(
     vehicle: &'static mut BoardVehicle,
+    earlier: Earlier,
     receiver: Receiver,
     radio: RadioReceiver,
     motors: Motors,
@@ -112,7 +122,7 @@ pub(super) fn start(
         measured: BoardTelemetry::default(),
         store: StoreStatus { present: true, busy: false, finished: 0, failed: false },
         ordered: 0,
-        crash_waits: true,
+        kept: earlier,
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
     });
@@ -202,11 +212,9 @@ impl Control {
         self.count_arming_frames(output.throttle.is_some(), battery_v);
         self.listen(now_us);
         self.keep();
-        self.forget_crash();
+        self.keep_incidents();
         self.take_gyro();
         let status = self.publish();
-        // Here the flight logic's orders to the store go out (`storage::submit`, with the motors off) and their answers come
-        // in (`storage::take_done`); `storage::busy` is a reason not to arm.
         self.watch.note(&input, &output, self.vehicle.state(), &status);
         self.move_bytes();
         self.watch.ticks = self.watch.ticks.wrapping_add(1);
@@ -283,12 +291,25 @@ impl Control {
         }
     }
 
-    /// Forgets the crash of the run before once a person has read of it.
-    fn forget_crash(&mut self) {
-        if self.crash_waits && self.vehicle.incident().is_none() {
-            self.crash_waits = false;
+    /// Keeps over a reset what waits to be acknowledged, and forgets it once a person has read of it.
+    #[inline(never)]
+    fn keep_incidents(&mut self) {
+        let mut waits = Earlier { crash: None, termination: None };
+        for incident in self.vehicle.incidents() {
+            if Some(incident.number) == self.kept.crash {
+                waits.crash = self.kept.crash;
+            }
+            if let IncidentCause::Terminated(reason) = incident.cause {
+                waits.termination = Some(reason);
+            }
+        }
+        if waits.crash != self.kept.crash {
             fault::forget();
         }
+        if waits.termination != self.kept.termination {
+            fault::keep_termination(waits.termination);
+        }
+        self.kept = waits;
     }
 
     /// Takes the gyro over when its set-up has ended, well or not.

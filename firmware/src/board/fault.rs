@@ -12,6 +12,7 @@ use core::ptr;
 use cortex_m::peripheral::SCB;
 use cortex_m_rt::exception;
 use embassy_stm32::pac;
+use mintime_shared::messages::AbortReason;
 
 use super::motors;
 
@@ -40,6 +41,8 @@ pub(super) enum Kind {
     Watchdog = 7,
     /// The stack left its memory.
     StackOverflow = 8,
+    /// The flight logic stopped the motors for good; the run went on.
+    Terminated = 9,
 }
 
 impl Kind {
@@ -53,6 +56,7 @@ impl Kind {
             Self::BrownOut,
             Self::Watchdog,
             Self::StackOverflow,
+            Self::Terminated,
         ]
         .into_iter()
         .find(|kind| *kind as u32 == word)
@@ -72,7 +76,7 @@ struct Record {
     cfsr: u32,
     hfsr: u32,
     address: u32,
-    /// Where the panic was raised.
+    /// Where the panic was raised; of a termination the place of its reason in [`AbortReason::ALL`].
     line: u32,
     file: [u8; FILE_BYTES],
     /// Crashes since power came on.
@@ -131,24 +135,46 @@ pub(super) struct Crash {
     pub(super) count: u32,
 }
 
+/// Room for one record.
 struct Kept(UnsafeCell<MaybeUninit<Record>>);
-// SAFETY: written only with interrupts off on the way to a reset, read only by start-up before anything else runs.
+// SAFETY: start-up reads and writes it before anything else runs, the control tick after that, and what ends the run, with
+// interrupts off. Only the last may come in between, and it does not return: there is never more than one access that
+// matters, and a record that is half one and half the other fails its check.
 unsafe impl Sync for Kept {}
 
+impl Kept {
+    const fn new() -> Self {
+        Self(UnsafeCell::new(MaybeUninit::uninit()))
+    }
+
+    /// What is kept, acknowledged or not.
+    fn read(&self) -> Option<Record> {
+        // SAFETY: every field is an integer, so whatever the RAM holds is a valid record; volatile, because the compiler
+        // must not reason about memory that was never written by this run.
+        let record = unsafe { ptr::read_volatile(self.0.get().cast::<Record>()) };
+        (record.magic == MAGIC && record.check == record.checksum()).then_some(record)
+    }
+
+    fn write(&self, mut record: Record) {
+        record.check = record.checksum();
+        // SAFETY: see above; the pointer is that of a static of this type.
+        unsafe { ptr::write_volatile(self.0.get().cast::<Record>(), record) }
+    }
+
+    /// A person has read of it. Its count stays, so that repeated crashes are seen.
+    fn forget(&self) {
+        if let Some(record) = self.read() {
+            self.write(Record { kind: 0, ..record });
+        }
+    }
+}
+
+/// How a run ended.
 #[unsafe(link_section = ".uninit.crash")]
-static KEPT: Kept = Kept(UnsafeCell::new(MaybeUninit::uninit()));
-
-fn read_kept() -> Option<Record> {
-    // SAFETY: every field is an integer, so whatever the RAM holds is a valid record; volatile, because the compiler
-    // must not reason about memory that was never written by this run.
-    let record = unsafe { ptr::read_volatile(KEPT.0.get().cast::<Record>()) };
-    (record.magic == MAGIC && record.check == record.checksum()).then_some(record)
-}
-
-fn write_kept(record: Record) {
-    // SAFETY: see `Kept`; the pointer is that of a static of this type.
-    unsafe { ptr::write_volatile(KEPT.0.get().cast::<Record>(), record) }
-}
+static CRASH: Kept = Kept::new();
+/// Why the flight logic stopped the motors for good. By itself, so that neither a crash nor this displaces the other.
+#[unsafe(link_section = ".uninit.termination")]
+static TERMINATION: Kept = Kept::new();
 
 /// Motors told to stop, their lines low, reason kept, reset. `fill` adds what the caller knows.
 fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
@@ -160,10 +186,17 @@ fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
 
 fn keep(kind: Kind, fill: impl FnOnce(&mut Record)) {
     let mut record = Record::new(kind);
-    record.count = read_kept().map_or(0, |earlier| earlier.count).saturating_add(1);
+    record.count = CRASH.read().map_or(0, |earlier| earlier.count).saturating_add(1);
     fill(&mut record);
-    record.check = record.checksum();
-    write_kept(record);
+    CRASH.write(record);
+}
+
+/// Keeps what tells no more than its kind. What waits to be acknowledged tells as much or more: it stays, and is counted.
+fn keep_plain(kind: Kind) {
+    match CRASH.read().filter(|earlier| earlier.kind != 0) {
+        Some(earlier) => CRASH.write(Record { count: earlier.count.saturating_add(1), ..earlier }),
+        None => keep(kind, |_| {}),
+    }
 }
 
 /// Ends the run because a peripheral refused its set-up; `step` tells which.
@@ -173,12 +206,15 @@ pub(super) fn set_up_failed(step: u32) -> ! {
 
 /// Ends the run because the chip's supply falls. From a handler of the highest priority: registers and the record only.
 pub(super) fn brown_out() -> ! {
-    stop_with(Kind::BrownOut, |_| {})
+    cortex_m::interrupt::disable();
+    motors::shut_down();
+    keep_plain(Kind::BrownOut);
+    SCB::sys_reset()
 }
 
 /// How the run before ended, if in a crash that nobody has acknowledged.
 pub(super) fn kept() -> Option<Crash> {
-    let record = read_kept()?;
+    let record = CRASH.read()?;
     Some(Crash {
         kind: Kind::from_word(record.kind)?,
         pc: record.pc,
@@ -199,16 +235,28 @@ pub(super) fn note_reset(cause: ResetCause) {
         ResetCause::BrownOut => Kind::BrownOut,
         _ => return,
     };
-    keep(kind, |_| {});
+    keep_plain(kind);
 }
 
-/// A person has read of it. Its count stays, so that repeated crashes are seen.
+/// A person has read of how the run before ended.
 pub(super) fn forget() {
-    if let Some(mut record) = read_kept() {
-        record.kind = 0;
-        record.check = record.checksum();
-        write_kept(record);
+    CRASH.forget();
+}
+
+/// Keeps why the motors were stopped for good, or that a person has read of it. From the control tick: 5 µs.
+#[inline(never)]
+pub(super) fn keep_termination(reason: Option<AbortReason>) {
+    match reason {
+        // In the order of their numbers.
+        Some(reason) => TERMINATION.write(Record { line: reason as u32, ..Record::new(Kind::Terminated) }),
+        None => TERMINATION.forget(),
     }
+}
+
+/// Why an earlier run stopped the motors for good, if nobody has acknowledged it.
+pub(super) fn kept_termination() -> Option<AbortReason> {
+    let record = TERMINATION.read().filter(|record| record.kind == Kind::Terminated as u32)?;
+    AbortReason::ALL.get(record.line as usize).copied()
 }
 
 /// Why the chip was reset, as the clock controller tells it (RM0090 section 7.3.21).

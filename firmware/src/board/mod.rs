@@ -60,16 +60,18 @@ fn start() -> ! {
     if let Some(crash) = crash {
         defmt::error!("the last run crashed: {}", crash);
     }
+    let termination = fault::kept_termination();
 
     let mut store = storage::open();
     let vehicle = vehicle::take();
     // Half of the number: the other half is nobody's business.
     vehicle.set_session(run.bits as u32);
+    let crash_number = crash.as_ref().and_then(incident).map(|cause| vehicle.report(cause));
+    if let Some(reason) = termination {
+        vehicle.report(IncidentCause::Terminated(reason));
+    }
     if !storage::each(&mut store, |key, value| vehicle.restore(key, value)) {
         vehicle.report(IncidentCause::StoreDamaged);
-    }
-    if let Some(cause) = incident(crash.as_ref(), cause) {
-        vehicle.report(cause);
     }
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
@@ -78,8 +80,9 @@ fn start() -> ! {
 
     let radio = receiver::RadioReceiver::new(parts.receiver, KillSwitchConfig::DEFAULT);
     let motors = dshot::Motors::new(parts.motors);
-    control::start(vehicle, receiver, radio, motors, tick_source::LateTimer::new(parts.late_timer));
-    let crashed = crash.is_some();
+    let earlier = control::Earlier { crash: crash_number, termination };
+    control::start(vehicle, earlier, receiver, radio, motors, tick_source::LateTimer::new(parts.late_timer));
+    let crashed = crash.is_some() || termination.is_some();
     idle::run(|spawner| {
         let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (
             imu::set_up(parts.gyro),
@@ -96,24 +99,19 @@ fn start() -> ! {
     })
 }
 
-/// What a person must hear of before the motors turn again: how the last run ended, unless somebody switched it off.
-fn incident(crash: Option<&fault::Crash>, cause: fault::ResetCause) -> Option<IncidentCause> {
-    use fault::{Kind, ResetCause};
-    if let Some(crash) = crash {
-        return Some(match crash.kind {
-            Kind::Panic => IncidentCause::Panic(crash.line),
-            Kind::HardFault => IncidentCause::HardFault { pc: crash.pc, cfsr: crash.cfsr },
-            Kind::StackOverflow => IncidentCause::StackOverflow,
-            Kind::ClockLost => IncidentCause::ClockLost,
-            Kind::UnexpectedInterrupt => IncidentCause::UnexpectedInterrupt(crash.pc),
-            Kind::SetUp => IncidentCause::SetUp(crash.line),
-            Kind::BrownOut => IncidentCause::BrownOut,
-            Kind::Watchdog => IncidentCause::Watchdog,
-        });
-    }
-    match cause {
-        ResetCause::BrownOut => Some(IncidentCause::BrownOut),
-        ResetCause::Watchdog | ResetCause::WindowWatchdog => Some(IncidentCause::Watchdog),
-        _ => None,
-    }
+/// What a person must hear of before the motors turn again: how the last run ended.
+fn incident(crash: &fault::Crash) -> Option<IncidentCause> {
+    use fault::Kind;
+    Some(match crash.kind {
+        Kind::Panic => IncidentCause::Panic(crash.line),
+        Kind::HardFault => IncidentCause::HardFault { pc: crash.pc, cfsr: crash.cfsr },
+        Kind::StackOverflow => IncidentCause::StackOverflow,
+        Kind::ClockLost => IncidentCause::ClockLost,
+        Kind::UnexpectedInterrupt => IncidentCause::UnexpectedInterrupt(crash.pc),
+        Kind::SetUp => IncidentCause::SetUp(crash.line),
+        Kind::BrownOut => IncidentCause::BrownOut,
+        Kind::Watchdog => IncidentCause::Watchdog,
+        // Kept by itself: its run did not end.
+        Kind::Terminated => return None,
+    })
 }

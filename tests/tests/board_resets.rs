@@ -1,0 +1,131 @@
+//! What a board knows after a reset of how it came to it, on the very image that gets flashed.
+
+mod bench;
+
+use bench::{Bench, wake};
+use emulator::bus::Peripherals;
+use mintime_shared::messages::{
+    AbortReason, ArmingBlock, FlightState, Incident, IncidentCause, Purpose, Refusal, Reply, Request,
+};
+
+/// From power-up or a reset until the gyro's bias is known, ms.
+const STARTS_MS: u64 = 1500;
+/// Nothing lies there.
+const NOWHERE: u32 = 0x3000_0000;
+
+const STOPPED: IncidentCause = IncidentCause::Terminated(AbortReason::EmergencyStop);
+
+impl Bench {
+    fn started() -> Self {
+        let mut bench = Self::real(31);
+        bench.pass_ms(STARTS_MS);
+        assert_eq!(bench.waits(), None);
+        bench
+    }
+
+    fn waits(&mut self) -> Option<IncidentCause> {
+        self.status().incident.map(|incident| incident.cause)
+    }
+
+    fn acknowledge(&mut self) -> IncidentCause {
+        let Incident { number, cause } = self.status().incident.expect("it waits");
+        assert_eq!(self.ask(&Request::Acknowledge { incident: number }), Reply::Done);
+        cause
+    }
+
+    fn reset(&mut self) {
+        self.board().peripherals.request_reset();
+        self.pass_ms(STARTS_MS);
+    }
+
+    /// A jump to where nothing lies.
+    fn crash(&mut self) {
+        wake(self.board());
+        self.board().core.set_register(15, NOWHERE);
+        self.pass_ms(STARTS_MS);
+    }
+
+    /// The control tick finds nothing to run, and the watchdog bites.
+    fn starve(&mut self) {
+        let handle = self.symbol("5board7control6HANDLE");
+        self.board().memory.place(handle, &[0; 4]).expect("RAM");
+        self.pass_ms(STARTS_MS);
+    }
+
+    fn assert_blocked(&mut self, block: ArmingBlock) {
+        match self.ask(&Request::Arm(Purpose::Flight)) {
+            Reply::Refused(Refusal::ArmingBlocked(bits)) => assert!(ArmingBlock(bits).contains(block)),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+/// An emergency is over when a person says so, not when somebody presses reset.
+#[test]
+fn an_emergency_outlives_resets_until_it_is_acknowledged() {
+    let mut bench = Bench::started();
+    assert_eq!(bench.ask(&Request::EmergencyStop), Reply::Done);
+    bench.assert_blocked(ArmingBlock::TERMINATED);
+    for _ in 0..2 {
+        bench.reset();
+        assert_eq!(bench.status().state, FlightState::Disarmed);
+        assert_eq!(bench.waits(), Some(STOPPED));
+        bench.assert_blocked(ArmingBlock::INCIDENT);
+    }
+    // Another one while the first still waits: both are told, the later one again after a reset.
+    assert_eq!(bench.ask(&Request::EmergencyStop), Reply::Done);
+    bench.acknowledge();
+    assert_eq!((bench.status().state, bench.waits()), (FlightState::Terminated, Some(STOPPED)));
+    bench.reset();
+    assert_eq!(bench.acknowledge(), STOPPED);
+    assert_eq!(bench.waits(), None);
+    bench.reset();
+    assert_eq!(bench.waits(), None);
+}
+
+/// One that was acknowledged in its own run is none of the next.
+#[test]
+fn an_acknowledged_emergency_is_forgotten() {
+    let mut bench = Bench::started();
+    assert_eq!(bench.ask(&Request::EmergencyStop), Reply::Done);
+    bench.acknowledge();
+    bench.reset();
+    assert_eq!(bench.waits(), None);
+}
+
+/// A reset that says less does not take the place of a crash that nobody has read of.
+#[test]
+fn a_crash_is_told_whatever_resets_follow() {
+    let mut bench = Bench::started();
+    bench.crash();
+    assert!(matches!(bench.waits(), Some(IncidentCause::HardFault { pc: NOWHERE, .. })));
+    bench.starve();
+    assert!(matches!(bench.waits(), Some(IncidentCause::HardFault { pc: NOWHERE, .. })));
+    bench.board().peripherals.set_supply_v(2.8);
+    bench.pass_ms(2);
+    bench.board().peripherals.set_supply_v(3.3);
+    bench.pass_ms(STARTS_MS);
+    assert!(matches!(bench.acknowledge(), IncidentCause::HardFault { pc: NOWHERE, .. }));
+    let log = bench.log();
+    assert_eq!(log.crashes(), ["HardFault"; 3]);
+    // They were counted.
+    assert!(log.says("count: 3"), "{:?}", log.0);
+    assert_eq!(bench.waits(), None);
+    // And what comes after it is told as ever.
+    bench.starve();
+    assert_eq!(bench.waits(), Some(IncidentCause::Watchdog));
+}
+
+/// Neither a crash nor an emergency displaces the other.
+#[test]
+fn a_crash_and_an_emergency_are_both_told() {
+    let mut bench = Bench::started();
+    assert_eq!(bench.ask(&Request::EmergencyStop), Reply::Done);
+    bench.crash();
+    bench.reset();
+    assert!(matches!(bench.acknowledge(), IncidentCause::HardFault { .. }));
+    bench.reset();
+    assert_eq!(bench.acknowledge(), STOPPED);
+    bench.reset();
+    assert_eq!(bench.waits(), None);
+}
