@@ -71,6 +71,9 @@ pub const RECOVERY_RANGE: (f32, f32) = (0.5, 1.2);
 /// Least part of the thrust to sink with that a recovery begins with: too little to lift what stands on the ground, even
 /// with a thrust map a fifth off, and near enough not to fall.
 pub const RECOVERY_START: f32 = 0.8;
+/// A vehicle that was never asked for this part of its weight since arming stands where it was armed: even a thrust map a
+/// fifth off does not make it fly.
+pub const LIFTED_FORCE: f32 = 0.75;
 /// So long a recovery takes its thrust as it is, s: rotors that came from full thrust have settled.
 pub const RECOVERY_SETTLES_S: f32 = 0.15;
 /// A recovering vehicle that keeps its specific force with this part of the thrust stands on something: less than a thrust

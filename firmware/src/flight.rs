@@ -16,6 +16,7 @@ use mintime_shared::messages::{
     AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, IncidentCause, KillSwitch,
     Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
+use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::real::{at_least, at_most};
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
@@ -24,8 +25,8 @@ use mintime_shared::settings::Settings;
 use crate::attitude::{AttitudeEstimate, Motion};
 use crate::calibration::ScaleCalibration;
 use crate::config::{
-    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, MOTOR_COUNT, OUTBOX, SATURATED_LIFT,
-    StoreStatus, VehicleConfig,
+    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, LIFTED_FORCE, MOTOR_COUNT, OUTBOX,
+    SATURATED_LIFT, StoreStatus, VehicleConfig,
 };
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
@@ -66,6 +67,9 @@ pub struct TickOutput {
     /// The body rates and thrust that the throttles are meant to bring about.
     pub setpoint: Setpoint,
 }
+
+/// A setpoint of so much thrust may lift, m/s².
+const LIFTED_MPS2: f32 = LIFTED_FORCE * GRAVITY_MPS2 as f32;
 
 /// What the clock says of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,6 +144,8 @@ pub struct FlightLogic<M> {
     drive: RotorDrive,
     /// What was commanded over the tick that just ended.
     pub(crate) commanded: Setpoint,
+    /// It has been asked to lift since it was armed.
+    lifted: bool,
     pub(crate) saturated_ticks: u32,
     pub(crate) runaway_ticks: u32,
     // Who flies it.
@@ -220,6 +226,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             rate: RateController::new(),
             drive: RotorDrive::new(),
             commanded: Setpoint { rates_radps: [0.0; 3], thrust_mps2: 0.0 },
+            lifted: false,
             saturated_ticks: 0,
             runaway_ticks: 0,
             heard_us: None,
@@ -398,6 +405,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.last_trigger = None;
                 self.last_sequence = None;
                 self.motor_test = None;
+                self.lifted = false;
                 self.recording = false;
                 // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
@@ -411,7 +419,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             }
             FlightState::Recovery => {
                 let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
-                self.recovery.start(asked_mps2);
+                self.recovery.start(asked_mps2, self.lifted);
             }
             FlightState::Terminated => {
                 self.host_setpoint = None;
@@ -446,6 +454,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         };
         let thrust_mps2 =
             self.thrust_cap_mps2().map_or(setpoint.thrust_mps2, |cap| at_most(setpoint.thrust_mps2, cap));
+        self.lifted |= thrust_mps2 >= LIFTED_MPS2;
         Some(Setpoint { thrust_mps2, ..setpoint })
     }
 
