@@ -2,7 +2,8 @@
 //!
 //! Every length is bounded. Bytes that are not messages are counted and dropped; requests that arrive faster than the
 //! flight logic takes them are dropped too, counted, and asked again by the host. Where host and vehicle are paired, what
-//! is not sealed is refused, but for the question who is there: that is where a host learns the session's number.
+//! is not sealed is refused, but for the question who is there: that is where a host learns the session's number. It is taken
+//! into an empty inbox only, so that strangers who ask do not keep the host's requests out.
 
 use heapless::Deque;
 use mintime_shared::framing::{Decoder, Frame, parse};
@@ -79,7 +80,8 @@ impl Link {
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);
                             }
-                            harmless
+                            // A stranger takes no room that the host may need: he asks again.
+                            harmless && inbox.is_empty()
                         }),
                     },
                 },

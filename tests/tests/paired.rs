@@ -120,6 +120,26 @@ fn what_is_not_sealed_moves_nothing() {
     assert_eq!(radio.hear(&sealed(&KEY, SESSION, 8, 4, STOP)), [(4, Reply::Done)]);
 }
 
+/// Strangers who ask who is there, as often as the line carries, leave room for the host.
+#[test]
+fn strangers_keep_no_host_out() {
+    let mut radio = Radio::new();
+    for round in 0..20 {
+        let mut bytes = Vec::new();
+        for number in 0..8 {
+            bytes.extend(plain(100 + number, Request::Identify));
+        }
+        for number in 1..=3 {
+            bytes.extend(sealed(&KEY, SESSION, 3 * round + u32::from(number), number, Request::Status));
+            bytes.extend(plain(200, Request::Identify));
+        }
+        let said = radio.hear(&bytes);
+        let answered: Vec<_> = said.iter().map(|(number, _)| *number).collect();
+        assert_eq!(answered, [100, 1, 2, 3]);
+        assert!(said[1..].iter().all(|(_, reply)| matches!(reply, Reply::Status(_))), "{said:?}");
+    }
+}
+
 /// COBS of less than 254 bytes, and the closing zero.
 fn cobs(content: &[u8], coded: &mut [u8]) -> usize {
     let (mut length, mut lead) = (1, 0);
