@@ -101,6 +101,11 @@ impl<M: RecordMemory> Vehicle<M> {
         volts.is_some_and(|v| self.logic.config().is_plausible_battery(v))
     }
 
+    /// Whether it takes only what is sealed with its key.
+    pub fn is_paired(&self) -> bool {
+        self.logic.pairing().is_some()
+    }
+
     /// What the supervisor is doing.
     pub fn state(&self) -> FlightState {
         self.logic.state()

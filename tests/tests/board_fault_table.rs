@@ -44,6 +44,7 @@ rows! {
     silent_gyro_tracking: GyroSilent in Tracking => Terminated within 12 off 12 told GyroMissing;
     silent_gyro_maneuver: GyroSilent in Maneuver => Terminated within 12 off 12 told GyroMissing;
     silent_gyro_recovery: GyroSilent in Recovery => Terminated within 12 off 12 told GyroMissing;
+    frozen_gyro_disarmed: GyroFrozenLong in Disarmed => Disarmed;
     frozen_gyro_tracking: GyroFrozen in Tracking => Terminated within 35 off 35 told GyroFrozen;
     frozen_gyro_maneuver: GyroFrozen in Maneuver => Terminated within 35 off 35 told GyroFrozen;
     saturated_gyro_tracking: GyroSaturated in Tracking => Terminated within 8 off 8 told GyroSaturated;
@@ -69,8 +70,11 @@ rows! {
     link_cut_tracking: LinkCut in Tracking => Terminated within 2110 off 2110 told LinkLost;
     link_cut_low: LinkCut in Low => Landed within 2100 off 2100 told LinkLost;
     link_cut_maneuver: LinkCut in Maneuver => Recovery within 490;
+    link_cut_abandon: LinkCut in Abandon => Recovery within 110 told LinkLost;
     setpoints_stop_armed: SetpointsStop in Armed => Armed;
     setpoints_stop_tracking: SetpointsStop in Tracking => Terminated within 2110 off 2110 told LinkLost;
+    cameras_silent_tracking: CamerasSilent in Tracking => Terminated within 1010 off 1010 told EmergencyStop;
+    cameras_silent_maneuver: CamerasSilent in Maneuver => Terminated within 1010 off 1010 told EmergencyStop;
     emergency_stop_armed: EmergencyStop in Armed => Terminated within 5 off 5 told EmergencyStop;
     emergency_stop_disarmed: EmergencyStop in Disarmed => Terminated within 5 told EmergencyStop;
     emergency_stop_tracking: EmergencyStop in Tracking => Terminated within 5 off 5 told EmergencyStop;
@@ -82,6 +86,10 @@ rows! {
     dead_motor_tracking: DeadMotor in Tracking => Terminated within 300 off 300 told Runaway;
     dead_motor_maneuver: DeadMotor in Maneuver => Terminated within 300 off 300 told Runaway;
     dead_signal_tracking: DeadSignal in Tracking => Terminated within 400 off 400 told Runaway;
+    frame_ends_lost_disarmed: FrameEndsLost in Disarmed => Disarmed;
+    frame_ends_lost_armed: FrameEndsLost in Armed => Boot within 13 off 12 told SetUp;
+    frame_ends_lost_tracking: FrameEndsLost in Tracking => Boot within 13 off 12 told SetUp;
+    frame_ends_lost_maneuver: FrameEndsLost in Maneuver => Boot within 13 off 12 told SetUp;
     battery_sag_tracking: BatterySag in Tracking => Tracking;
     battery_sag_maneuver: BatterySag in Maneuver => Tracking within 260 told BatterySag;
     sense_lost_disarmed: SenseLost in Disarmed => Disarmed;

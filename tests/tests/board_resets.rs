@@ -4,9 +4,12 @@ mod bench;
 
 use bench::{Bench, wake};
 use emulator::bus::Peripherals;
+use emulator::chip::RngDefect;
+use mintime::flight::Client;
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, FlightState, Incident, IncidentCause, Purpose, Refusal, Reply, Request,
 };
+use mintime_shared::seal::PairingKey;
 
 /// From power-up or a reset until the gyro's bias is known, ms.
 const STARTS_MS: u64 = 1500;
@@ -114,6 +117,66 @@ fn a_crash_is_told_whatever_resets_follow() {
     // And what comes after it is told as ever.
     bench.starve();
     assert_eq!(bench.waits(), Some(IncidentCause::Watchdog));
+}
+
+/// Where the session may repeat nobody arms, whatever is replayed; who is not paired has nothing to lose by it.
+#[test]
+fn a_paired_vehicle_without_random_numbers_is_not_armed() {
+    const KEY: PairingKey = *b"a secret of both";
+    for defect in [RngDefect::Seed, RngDefect::Clock, RngDefect::Silent] {
+        for paired in [false, true] {
+            let mut bench = Bench::started();
+            let mut client = Client::with_key(paired.then_some(KEY));
+            if paired {
+                // The answer may be that it is under way.
+                for _ in 0..10 {
+                    bench.ask(&Request::Pair(Some(KEY)));
+                    bench.pass_ms(10);
+                    if bench.ask(&Request::Status) == Reply::Refused(Refusal::NotSealed) {
+                        break;
+                    }
+                }
+            }
+            bench.board().peripherals.set_rng_defect(defect);
+            bench.board().peripherals.request_reset();
+            let mut ask = |bench: &mut Bench, request: Request| {
+                for _ in 0..20 {
+                    let now_s = bench.vehicle.now_ns() as f64 * 1e-9;
+                    client.ask(&mut bench.vehicle, request.clone(), now_s).expect("a line");
+                    for _ in 0..20 {
+                        bench.pass_ms(5);
+                        let now_s = bench.vehicle.now_ns() as f64 * 1e-9;
+                        if let Ok(Some(reply)) = client.poll(&mut bench.vehicle, now_s) {
+                            return reply;
+                        }
+                    }
+                }
+                panic!("{request:?}: no answer");
+            };
+            bench.pass_ms(5000);
+            ask(&mut bench, Request::Identify);
+            let status = |reply| match reply {
+                Reply::Status(telemetry) => telemetry,
+                other => panic!("{other:?}"),
+            };
+            let telemetry = status(ask(&mut bench, Request::Status));
+            let block = ArmingBlock(telemetry.arming_block);
+            assert!(!block.contains(ArmingBlock::STARTING), "{block}");
+            let Some(Incident { number, cause }) = telemetry.incident else {
+                assert!(!paired && !block.contains(ArmingBlock::NO_MOTORS), "{block}");
+                continue;
+            };
+            assert!(paired && matches!(cause, IncidentCause::SetUp(_)), "{cause:?}");
+            assert!(
+                block.contains(ArmingBlock::INCIDENT) && block.contains(ArmingBlock::NO_MOTORS),
+                "{block}"
+            );
+            assert_eq!(ask(&mut bench, Request::Acknowledge { incident: number }), Reply::Done);
+            let telemetry = status(ask(&mut bench, Request::Status));
+            assert_eq!(telemetry.incident, None);
+            assert!(ArmingBlock(telemetry.arming_block).contains(ArmingBlock::NO_MOTORS));
+        }
+    }
 }
 
 /// Neither a crash nor an emergency displaces the other.

@@ -40,6 +40,9 @@ use super::{battery, fault, storage, supervision};
 /// Link bytes moved per tick and direction. The line carries 115.2 in a tick.
 const BYTES_PER_TICK: usize = RECEIVE_BYTES;
 
+/// Motor frames that may come to nothing in a row (10 ms), as for the gyro's samples.
+const UNFINISHED_FRAMES: u32 = 8;
+
 /// Ticks run.
 pub(super) static TICKS: AtomicU32 = AtomicU32::new(0);
 /// What the latest tick measured.
@@ -68,6 +71,8 @@ struct Control {
     motors: Motors,
     /// Whether the last frame was sent in full.
     motors_well: bool,
+    /// How many were not, one after another, with the motors on.
+    unfinished_frames: u32,
     /// Zero-throttle frames sent since the battery is there, up to [`MOTOR_ARMING_FRAMES`].
     arming_frames: u32,
     pacer: Pacer,
@@ -79,6 +84,8 @@ struct Control {
     store: StoreStatus,
     /// Ticket of the last job handed to the store.
     ordered: u32,
+    /// Seals of earlier runs do not count in this one.
+    sealed: bool,
     /// What is kept of incidents for the next start.
     kept: Earlier,
     bytes: [u8; BYTES_PER_TICK],
@@ -94,11 +101,13 @@ pub(super) struct Earlier {
     pub(super) termination: Option<AbortReason>,
 }
 
-/// Starts the control tick.
+/// Starts the control tick. Where the session may be one that was already (not `sealed`) no motor output is offered in this
+/// run, whatever is acknowledged: what is replayed from an earlier one would count.
 #[allow(unsafe_code)]
 pub(super) fn start(
     vehicle: &'static mut BoardVehicle,
     earlier: Earlier,
+    sealed: bool,
     receiver: Receiver,
     radio: RadioReceiver,
     motors: Motors,
@@ -114,6 +123,7 @@ pub(super) fn start(
         radio,
         motors,
         motors_well: false,
+        unfinished_frames: 0,
         arming_frames: 0,
         pacer: Pacer::new(now_us),
         late_timer,
@@ -122,6 +132,7 @@ pub(super) fn start(
         measured: BoardTelemetry::default(),
         store: StoreStatus { present: true, busy: false, finished: 0, failed: false },
         ordered: 0,
+        sealed,
         kept: earlier,
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
@@ -228,8 +239,10 @@ impl Control {
         let end = self.motors.finish();
         self.motors_well = end.is_some();
         let Some(end) = end else {
+            self.miss_frame();
             return;
         };
+        self.unfinished_frames = 0;
         let Some(edge) = self.answered_edge.take() else {
             return;
         };
@@ -239,6 +252,16 @@ impl Control {
         measured.latency_ns = latency_ns;
         measured.latency_min_ns = if first { latency_ns } else { measured.latency_min_ns.min(latency_ns) };
         measured.latency_max_ns = measured.latency_max_ns.max(latency_ns);
+    }
+
+    /// Counts a frame that did not end. Motors that are not told what to do are not flown: the run ends while their lines may
+    /// still be driven by hand.
+    #[cold]
+    fn miss_frame(&mut self) {
+        self.unfinished_frames = if self.motors_on { self.unfinished_frames.saturating_add(1) } else { 0 };
+        if self.unfinished_frames >= UNFINISHED_FRAMES {
+            fault::set_up_failed(line!());
+        }
     }
 
     /// Speed controllers arm on zero throttle, and only once they have power.
@@ -338,7 +361,7 @@ impl Control {
         measured.stack_used_bytes = u16::try_from(stack).unwrap_or(u16::MAX);
         let motors = self.arming_frames >= MOTOR_ARMING_FRAMES;
         let status = BoardStatus {
-            capabilities: Capabilities { gyro: self.imu.is_some(), motors },
+            capabilities: Capabilities { gyro: self.imu.is_some(), motors: motors && self.sealed },
             // Outputs that do not work are not starting.
             starting: self.gyro_pending || (!motors && self.motors_well),
             telemetry: *measured,

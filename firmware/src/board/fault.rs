@@ -33,7 +33,7 @@ pub(super) enum Kind {
     ClockLost = 3,
     /// An interrupt nobody handles.
     UnexpectedInterrupt = 4,
-    /// A peripheral refused its set-up.
+    /// A peripheral refused its set-up, or to work on.
     SetUp = 5,
     /// The chip's supply fell.
     BrownOut = 6,
@@ -199,7 +199,7 @@ fn keep_plain(kind: Kind) {
     }
 }
 
-/// Ends the run because a peripheral refused its set-up; `step` tells which.
+/// Ends the run because a peripheral refused its set-up, or to work on; `step` tells which.
 pub(super) fn set_up_failed(step: u32) -> ! {
     stop_with(Kind::SetUp, |record| record.line = step)
 }

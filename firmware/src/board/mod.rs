@@ -73,6 +73,11 @@ fn start() -> ! {
     if !storage::each(&mut store, |key, value| vehicle.restore(key, value)) {
         vehicle.report(IncidentCause::StoreDamaged);
     }
+    // A seal of an earlier start must not count in this one.
+    let sealed = run.random || !vehicle.is_paired();
+    if !sealed {
+        vehicle.report(IncidentCause::SetUp(line!()));
+    }
     let parts = facts::Parts::new(peripherals);
     let battery = battery::Battery::new(parts.battery);
     let led = supervision::led(parts.led);
@@ -81,7 +86,8 @@ fn start() -> ! {
     let radio = receiver::RadioReceiver::new(parts.receiver, KillSwitchConfig::DEFAULT);
     let motors = dshot::Motors::new(parts.motors);
     let earlier = control::Earlier { crash: crash_number, termination };
-    control::start(vehicle, earlier, receiver, radio, motors, tick_source::LateTimer::new(parts.late_timer));
+    let late_timer = tick_source::LateTimer::new(parts.late_timer);
+    control::start(vehicle, earlier, sealed, receiver, radio, motors, late_timer);
     let crashed = crash.is_some() || termination.is_some();
     idle::run(|spawner| {
         let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (

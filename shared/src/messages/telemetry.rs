@@ -93,8 +93,8 @@ pub enum IncidentCause {
     /// An interrupt nobody handles; its number.
     #[error("unexpected interrupt {0}: please report it")]
     UnexpectedInterrupt(u32),
-    /// A peripheral refused its set-up; which one.
-    #[error("a peripheral refused its set-up (step {0})")]
+    /// A peripheral refused its set-up, or to work on; which one.
+    #[error("a peripheral refused its set-up, or to work on (step {0}): please report it")]
     SetUp(u32),
     /// The supply fell.
     #[error("the supply fell (brown-out): check battery, wiring and regulator")]

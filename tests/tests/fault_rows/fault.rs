@@ -25,6 +25,10 @@ pub(super) const KEPT_SETTINGS: Settings = Settings { gyro_cutoff_hz: 149.0, ..S
 const TASK_HEADER_BYTES: u32 = 64;
 /// What breaks in the simulated world heals after this long.
 const WINDOW_MS: u64 = 400;
+/// But for a gyro that is frozen long enough to be told at rest, ...
+const FROZEN_MS: u64 = 1000;
+/// ... and cameras that are silent for longer than a host waits for a pose.
+const CAMERAS_MS: u64 = 1300;
 
 /// A fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +36,7 @@ const WINDOW_MS: u64 = 400;
 pub(crate) enum Fault {
     GyroSilent,
     GyroFrozen,
+    GyroFrozenLong,
     GyroSaturated,
     GyroReversed,
     BusHigh,
@@ -44,8 +49,10 @@ pub(crate) enum Fault {
     FullLoad,
     LinkCut,
     SetpointsStop,
+    CamerasSilent,
     DeadMotor,
     DeadSignal,
+    FrameEndsLost,
     BatterySag,
     SenseLost,
     LsiSlow,
@@ -82,6 +89,7 @@ impl Fault {
         match self {
             Self::GyroSilent => "gyro silent for 0.4 s",
             Self::GyroFrozen => "gyro frozen for 0.4 s",
+            Self::GyroFrozenLong => "gyro frozen for 1 s",
             Self::GyroSaturated => "gyro: an axis at the end of its range",
             Self::GyroReversed => "gyro: an axis with the wrong sign",
             Self::BusHigh => "gyro bus stuck high",
@@ -94,8 +102,10 @@ impl Fault {
             Self::FullLoad => "link: 100 % load",
             Self::LinkCut => "link cut, or host dead",
             Self::SetpointsStop => "host alive, no setpoints",
+            Self::CamerasSilent => "motion capture silent for 1.3 s",
             Self::DeadMotor => "motor 1 dead",
             Self::DeadSignal => "signal wire of motor 1 off",
+            Self::FrameEndsLost => "motor outputs: the end of no frame is seen",
             Self::BatterySag => "battery below critical",
             Self::SenseLost => "battery sense wire off",
             Self::LsiSlow => "watchdog's oscillator at 17 kHz",
@@ -148,6 +158,7 @@ impl Fault {
         match self {
             Self::GyroSilent => in_world(rig, Broken::ImuSilent, window_ns),
             Self::GyroFrozen => in_world(rig, Broken::ImuStuck, window_ns),
+            Self::GyroFrozenLong => in_world(rig, Broken::ImuStuck, now + FROZEN_MS * MS),
             Self::GyroSaturated => break_gyro(rig, Some(Defect::Railed(0))),
             Self::GyroReversed => break_gyro(rig, Some(Defect::ReversedAxis(1))),
             Self::BusHigh => break_gyro(rig, Some(Defect::Absent)),
@@ -160,8 +171,10 @@ impl Fault {
             Self::FullLoad => rig.damage = Damage::FullLoad,
             Self::LinkCut => rig.host = Host::Silent,
             Self::SetpointsStop => rig.host = Host::Beats,
+            Self::CamerasSilent => in_world(rig, Broken::MotionCaptureSilent, now + CAMERAS_MS * MS),
             Self::DeadMotor => in_world(rig, Broken::RotorDead(0), u64::MAX),
             Self::DeadSignal => rig.board().peripherals.board_mut().escs[0].torn_off = true,
+            Self::FrameEndsLost => lose_frame_ends(rig),
             Self::BatterySag => rig.board().peripherals.board_mut().battery.divider = 15.4,
             Self::SenseLost => rig.board().peripherals.board_mut().battery.divider = f64::INFINITY,
             Self::LsiSlow => rig.board().peripherals.set_lsi_hz(17_000),
@@ -268,6 +281,14 @@ impl Fault {
         }
     }
 
+    /// So long after it where it shows in telemetry only, ms.
+    pub(crate) const fn shows_after_ms(self) -> u64 {
+        match self {
+            Self::GyroFrozenLong => 700,
+            _ => 0,
+        }
+    }
+
     /// Whether the power is cut in the middle of a write or an erase, and then which.
     pub(crate) const fn cuts_store(self) -> Option<bool> {
         match self {
@@ -302,6 +323,22 @@ fn lose_tick(rig: &mut Rig) {
         rig.vehicle.advance_to(later).expect("time goes on");
     }
     rig.board().memory.place(handle, &[0; 4]).expect("RAM");
+}
+
+/// The handler at the end of the motors' stream does its work, but for telling that it was there.
+fn lose_frame_ends(rig: &mut Rig) {
+    const MOTOR_TIMER_REQUESTS: u32 = 0x4000_080C;
+    const STREAM_FLAGS: u32 = 0x4002_600C;
+    const STREAM_6: u32 = 0x3D_0000;
+    const STREAM_6_INTERRUPT: u32 = 17;
+    // ldr r0, requests; movs r1, #0; str r1, [r0]; ldr r0, flags; ldr r1, stream; str r1, [r0]; bx lr
+    let code: [u16; 8] = [0x4803, 0x2100, 0x6001, 0x4803, 0x4903, 0x6001, 0x4770, 0xBF00];
+    let mut bytes: Vec<u8> = code.iter().flat_map(|half| half.to_le_bytes()).collect();
+    bytes.extend([MOTOR_TIMER_REQUESTS, STREAM_FLAGS, STREAM_6].iter().flat_map(|word| word.to_le_bytes()));
+    let vector = rig.symbol(&["__INTERRUPTS"]) + 4 * STREAM_6_INTERRUPT;
+    let memory = &mut rig.board().memory;
+    memory.place(SPARE_RAM, &bytes).expect("RAM");
+    memory.place(vector, &(SPARE_RAM | 1).to_le_bytes()).expect("flash");
 }
 
 /// One word of RAM lost: a task's code is not found any more, and it never runs again.

@@ -67,7 +67,8 @@ impl Row {
             None => self.fault.inject(&mut rig),
         };
         let longest_ms = u64::from(self.within_ms.max(self.off_ms.unwrap_or(0)));
-        let end_ns = broken_ns + (longest_ms + BEYOND_MS).max(CALM_MS) * MS;
+        let shows_ms = self.fault.shows_after_ms();
+        let end_ns = broken_ns + (longest_ms + BEYOND_MS).max(CALM_MS).max(shows_ms) * MS;
         while rig.vehicle.now_ns() < end_ns {
             rig.step();
         }
@@ -131,6 +132,11 @@ impl Row {
             Fault::BusLow if self.phase == Phase::Disarmed => telemetry.missing_samples > 100,
             Fault::GyroSilent if self.phase == Phase::Disarmed => {
                 ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_SILENT)
+            }
+            Fault::GyroFrozenLong => ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_FROZEN),
+            Fault::FrameEndsLost if self.phase == Phase::Disarmed => {
+                board.motor_errors > 20
+                    && ArmingBlock(telemetry.arming_block).contains(ArmingBlock::NO_MOTORS)
             }
             Fault::SenseLost => telemetry.battery_v == 0.0,
             Fault::BatterySag => (10.0..12.4).contains(&telemetry.battery_v),

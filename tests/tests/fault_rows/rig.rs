@@ -9,7 +9,7 @@ use mintime::flight::{
     VirtualVehicle, control,
 };
 use mintime_shared::messages::{FlightState, Purpose, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Telemetry};
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use mintime_simulator::VehicleParameters;
 use mintime_tests::reference_cases;
@@ -43,6 +43,8 @@ pub(crate) enum Phase {
     Low,
     /// A tenth of a second into a maneuver.
     Maneuver,
+    /// The same, by a table that wants the maneuver given up where the link is lost.
+    Abandon,
     /// A tenth of a second after the setpoints stopped.
     Recovery,
 }
@@ -56,6 +58,7 @@ impl Phase {
             Self::Tracking => "`Tracking`",
             Self::Low => "`Tracking`, 0.2 m up",
             Self::Maneuver => "`Maneuver`",
+            Self::Abandon => "`Maneuver` with `Abandon`",
             Self::Recovery => "`Recovery`",
         }
     }
@@ -65,7 +68,7 @@ impl Phase {
             Self::Disarmed => FlightState::Disarmed,
             Self::Armed => FlightState::Armed,
             Self::Tracking | Self::Low => FlightState::Tracking,
-            Self::Maneuver => FlightState::Maneuver,
+            Self::Maneuver | Self::Abandon => FlightState::Maneuver,
             Self::Recovery => FlightState::Recovery,
         }
     }
@@ -196,7 +199,7 @@ impl Rig {
 
     /// A fresh vehicle in this phase.
     pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 6] = [const { OnceLock::new() }; 6];
+        static PHASES: [OnceLock<Mutex<Rig>>; 7] = [const { OnceLock::new() }; 7];
         let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
         rig.lock().expect("nobody panics with it").fork()
     }
@@ -204,56 +207,81 @@ impl Rig {
     fn brought_into(phase: Phase) -> Self {
         let mut rig = match phase {
             Phase::Disarmed => Self::new(),
-            Phase::Armed => Self::in_phase(Phase::Disarmed),
+            Phase::Armed | Phase::Abandon => Self::in_phase(Phase::Disarmed),
             Phase::Tracking => Self::in_phase(Phase::Armed),
             Phase::Low | Phase::Maneuver | Phase::Recovery => Self::in_phase(Phase::Tracking),
         };
-        match phase {
-            Phase::Disarmed => rig.prepare(),
-            Phase::Armed => {
-                rig.ask(Request::Arm(Purpose::Flight)).expect("nothing blocks arming");
-                rig.pass_ms(300);
-            }
-            Phase::Tracking => {
-                rig.host = Host::Flies;
-                let steps = (GROUND_M.abs() / CLIMB_MPS / 0.005) as u32;
-                for step in 0..steps {
-                    rig.height_m = GROUND_M * (1.0 - f64::from(step) / f64::from(steps));
-                    if step == 100 {
-                        rig.calmness = Calmness::Calm;
-                    }
-                    rig.step();
-                }
-                rig.height_m = 0.0;
-                rig.pass_ms(1500);
-            }
-            Phase::Low => {
-                for step in 0..300_u32 {
-                    rig.height_m = (GROUND_M + LOW_M) * f64::from(step) / 300.0;
-                    rig.step();
-                }
-                rig.pass_ms(700);
-            }
-            Phase::Maneuver => {
-                let checksum = rig.table.checksum();
-                rig.ask(Request::Trigger { checksum }).expect("a hover inside the gate");
-                rig.calmness = Calmness::Agile;
-                rig.pass_ms(100);
-            }
-            Phase::Recovery => {
-                rig.host = Host::Beats;
-                rig.pass_ms(200);
-            }
-        }
+        rig.go_on(phase);
         assert_eq!(rig.state(), phase.state());
         assert_eq!(rig.bugs(), [""; 0]);
         rig
+    }
+
+    /// From the phase before into this one.
+    fn go_on(&mut self, phase: Phase) {
+        match phase {
+            Phase::Disarmed => self.prepare(),
+            Phase::Armed => {
+                self.ask(Request::Arm(Purpose::Flight)).expect("nothing blocks arming");
+                self.pass_ms(300);
+            }
+            Phase::Tracking => {
+                self.host = Host::Flies;
+                let steps = (GROUND_M.abs() / CLIMB_MPS / 0.005) as u32;
+                for step in 0..steps {
+                    self.height_m = GROUND_M * (1.0 - f64::from(step) / f64::from(steps));
+                    if step == 100 {
+                        self.calmness = Calmness::Calm;
+                    }
+                    self.step();
+                }
+                self.height_m = 0.0;
+                self.pass_ms(1500);
+            }
+            Phase::Low => {
+                for step in 0..300_u32 {
+                    self.height_m = (GROUND_M + LOW_M) * f64::from(step) / 300.0;
+                    self.step();
+                }
+                self.pass_ms(700);
+            }
+            Phase::Maneuver => {
+                let checksum = self.table.checksum();
+                self.ask(Request::Trigger { checksum }).expect("a hover inside the gate");
+                self.calmness = Calmness::Agile;
+                self.pass_ms(100);
+            }
+            Phase::Abandon => {
+                self.table.link = LinkPolicy::Abandon;
+                self.commit();
+                for phase in [Phase::Armed, Phase::Tracking, Phase::Maneuver] {
+                    self.go_on(phase);
+                }
+            }
+            Phase::Recovery => {
+                self.host = Host::Beats;
+                self.pass_ms(200);
+            }
+        }
     }
 
     fn prepare(&mut self) {
         self.pass_ms(100);
         self.ask(Request::WriteVehicle(VehicleConfig::REFERENCE)).expect("it keeps what it is");
         self.ask(Request::WriteSettings(KEPT_SETTINGS)).expect("it keeps how it is set");
+        self.commit();
+        let ready = |rig: &Self| rig.client.telemetry().is_some_and(|t| t.arming_block == 0);
+        for _ in 0..2000 {
+            if ready(self) {
+                break;
+            }
+            self.step();
+        }
+        assert!(ready(self), "{:?}", self.client.telemetry());
+    }
+
+    /// Uploads and commits its table.
+    fn commit(&mut self) {
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = self.table.encode(&mut buffer).expect("a table");
         for (index, chunk) in buffer[..length].chunks(STAGE_CHUNK_BYTES).enumerate() {
@@ -263,14 +291,6 @@ impl Rig {
         }
         let checksum = self.table.checksum();
         self.ask(Request::CommitTable { checksum }).expect("committed");
-        let ready = |rig: &Self| rig.client.telemetry().is_some_and(|t| t.arming_block == 0);
-        for _ in 0..2000 {
-            if ready(self) {
-                break;
-            }
-            self.step();
-        }
-        assert!(ready(self), "{:?}", self.client.telemetry());
     }
 
     /// The board.
@@ -307,9 +327,17 @@ impl Rig {
         self.vehicle.now_ns() as f64 * 1e-9
     }
 
-    /// One pose.
+    /// One pose; where none comes the host does what it does in flight: it stops the motors, and streams no more.
     pub(crate) fn step(&mut self) -> Option<Result<Reply, Refusal>> {
-        let pose = self.vehicle.next_pose().expect("time goes on");
+        let pose = match self.vehicle.next_pose() {
+            Ok(pose) => pose,
+            Err(ConnectionError::NoPose) => {
+                self.host = Host::Silent;
+                self.begin(Request::EmergencyStop);
+                return None;
+            }
+            Err(error) => panic!("{error}"),
+        };
         let now_s = self.now_s();
         let estimate = self.estimator.update(&pose, self.calmness);
         if let Some(act) = self.every_pose {
