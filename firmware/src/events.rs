@@ -1,4 +1,4 @@
-//! The event log: the last [`EVENTS`] things that happened, numbered from 1.
+//! The event log: the last [`EVENTS`] things that happened, numbered from 1. The first is that the vehicle was started.
 
 use heapless::Deque;
 use mintime_shared::messages::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening};
@@ -19,6 +19,13 @@ impl EventLog {
     /// Adds an event; the oldest makes room.
     #[inline(never)]
     pub(crate) fn push(&mut self, now_us: u64, what: Happening) {
+        if self.newest == 0 {
+            self.add(now_us, Happening::Started);
+        }
+        self.add(now_us, what);
+    }
+
+    fn add(&mut self, now_us: u64, what: Happening) {
         if self.ring.is_full() {
             self.ring.pop_front();
         }

@@ -174,7 +174,7 @@ pub struct FlightLogic<M> {
     pub(crate) recorder: Recorder<M>,
     /// Ticks are recorded outside a maneuver too.
     pub(crate) recording: bool,
-    /// The state that was entered and why, for the second part to log.
+    /// The state that was left and why, for the second part to log.
     to_log: Option<(FlightState, Option<AbortReason>)>,
     /// What the second part records.
     to_record: Option<TickOutput>,
@@ -313,7 +313,11 @@ impl<M: RecordMemory> FlightLogic<M> {
     pub fn conclude(&mut self, inbox: &mut Inbox, outbox: &mut Outbox) {
         let now_us = self.last_us.unwrap_or(0);
         self.estimate();
-        if let Some((state, reason)) = self.to_log.take() {
+        if let Some((old, reason)) = self.to_log.take() {
+            let state = self.state();
+            if old == FlightState::Calibrating && state == FlightState::Disarmed {
+                self.events.push(now_us, Happening::Calibrated);
+            }
             self.events.push(now_us, Happening::Entered(state));
             if let Some(reason) = reason {
                 self.events.push(now_us, Happening::Aborted(reason));
@@ -387,7 +391,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
         self.state_since_us = now_us;
         let new = self.state();
-        self.to_log = Some((new, reason));
+        self.to_log = Some((old, reason));
         if old == FlightState::Maneuver {
             // Complete is what ended by itself: no reason to abort, and nobody's order to stop.
             let by_itself = matches!(new, FlightState::Tracking | FlightState::Recovery);

@@ -4,7 +4,8 @@ mod logic;
 
 use logic::Bench;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Refusal, Reply, Request,
+    AbortReason, ArmingBlock, FlightState, Happening, IncidentCause, KillSwitch, Purpose, Refusal, Reply,
+    Request,
 };
 
 /// An incident is acknowledged by its number, once; a newer one waits in its turn.
@@ -32,6 +33,23 @@ fn incidents_are_acknowledged_by_number() {
     }
     assert_eq!(bench.telemetry().incident, None);
     bench.arm();
+}
+
+/// The log begins with the start, whatever is known of what was before, and tells when the bias was learned.
+#[test]
+fn the_log_begins_with_the_start() {
+    use Happening::{Calibrated, Entered, Incident, Started};
+    let mut bench = Bench::new();
+    bench.logic.report(IncidentCause::Watchdog);
+    bench.run(900);
+    assert_eq!(bench.ask(Request::Calibrate), Reply::Pending);
+    bench.run(900);
+    let Reply::Events(log) = bench.ask(Request::ReadEvents { first: 0 }) else { panic!("no events") };
+    let (learns, rests) = (Entered(FlightState::Calibrating), Entered(FlightState::Disarmed));
+    let told: Vec<_> = log.events.iter().map(|event| event.what).collect();
+    let incident = Incident(IncidentCause::Watchdog);
+    assert_eq!(told, [Started, incident, learns, Calibrated, rests, learns, Calibrated, rests]);
+    assert_eq!((log.first, log.newest), (1, 8));
 }
 
 /// What waits from before does not stand for the emergency: only the acknowledgement of that one leads out, and what has
