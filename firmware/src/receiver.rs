@@ -64,25 +64,22 @@ impl KillState {
 pub struct KillSwitchConfig {
     /// Number of the channel as transmitters count, 1 to 16. Any other number never runs.
     pub channel: u8,
-    /// Above this it says run, µs of a classical servo pulse.
+    /// Above this it says run, at it and below kill, µs of a classical servo pulse.
     pub run_above_us: u16,
-    /// Below this it says kill, µs. So does everything between; the number tells a switch half-way from one thrown.
-    pub kill_below_us: u16,
     /// Frames in a row that must say run; 0 counts as 1.
     pub frames_to_run: u8,
 }
 
 impl KillSwitchConfig {
     /// AUX1, a switch of two positions.
-    pub const DEFAULT: Self = Self { channel: 5, run_above_us: 1700, kill_below_us: 1300, frames_to_run: 3 };
+    pub const DEFAULT: Self = Self { channel: 5, run_above_us: 1700, frames_to_run: 3 };
 
-    /// Whether it can be used: a channel that exists, positions apart and within what a channel can say.
+    /// Whether it can be used: a channel that exists, and a bound within what a channel can say.
     pub const fn is_valid(&self) -> bool {
         self.channel >= 1
             && self.channel <= CHANNELS as u8
-            && self.kill_below_us < self.run_above_us
+            && self.run_above_us > 1000
             && self.run_above_us < 2000
-            && self.kill_below_us > 1000
     }
 }
 

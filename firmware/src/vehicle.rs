@@ -111,9 +111,9 @@ impl<M: RecordMemory> Vehicle<M> {
         self.logic.state()
     }
 
-    /// Channel of the receiver that is the kill switch, from 1, and its thresholds, µs: run from, stop up to.
-    pub fn kill_switch(&self) -> (u8, u16, u16) {
+    /// Channel of the receiver that is the kill switch, from 1, and its threshold, µs: run above, stop at it and below.
+    pub fn kill_switch(&self) -> (u8, u16) {
         let settings = self.logic.settings();
-        (settings.kill_channel, settings.kill_run_us, settings.kill_stop_us)
+        (settings.kill_channel, settings.kill_run_us)
     }
 }

@@ -12,10 +12,8 @@ pub struct Settings {
     pub gyro_cutoff_hz: f32,
     /// Channel of the receiver that is the kill switch, from 1.
     pub kill_channel: u8,
-    /// The motors may turn while that channel is at or above this, µs ...
+    /// The motors may turn while that channel is above this, µs; at it and below they must not.
     pub kill_run_us: u16,
-    /// ... and must not at or below this, nor in between.
-    pub kill_stop_us: u16,
     /// Highest collective thrust per mass without a kill switch, m/s²: for work on the bench. 0: never without one.
     pub bench_thrust_mps2: f32,
     /// The host counts as gone when nothing was heard of it for this long, ms.
@@ -37,7 +35,7 @@ pub enum SettingsError {
     #[error("gyro_cutoff_hz must be 40 to 350")]
     GyroCutoff,
     /// Kill switch out of range.
-    #[error("the kill switch: channel 1 to 16, and 1000 < kill_stop_us < kill_run_us < 2000")]
+    #[error("the kill switch: channel 1 to 16, and 1000 < kill_run_us < 2000")]
     KillSwitch,
     /// A bench thrust that flies.
     #[error("bench_thrust_mps2 must be 0, or at most 5: a vehicle on the bench must not fly")]
@@ -54,7 +52,6 @@ impl Settings {
         gyro_cutoff_hz: 150.0,
         kill_channel: 5,
         kill_run_us: 1700,
-        kill_stop_us: 1300,
         bench_thrust_mps2: 0.0,
         heartbeat_ms: 500,
         recovery_ms: 2000,
@@ -75,8 +72,7 @@ impl Settings {
         ensure(self.gyro_scale.iter().all(|s| (0.95..=1.05).contains(s)), E::GyroScale)?;
         ensure((40.0..=350.0).contains(&self.gyro_cutoff_hz), E::GyroCutoff)?;
         // Within what a channel can say: a switch that could never stop is none.
-        let range =
-            1000 < self.kill_stop_us && self.kill_stop_us < self.kill_run_us && self.kill_run_us < 2000;
+        let range = 1000 < self.kill_run_us && self.kill_run_us < 2000;
         ensure((1..=16).contains(&self.kill_channel) && range, E::KillSwitch)?;
         ensure((0.0..=Self::BENCH_THRUST_MAX_MPS2).contains(&self.bench_thrust_mps2), E::BenchThrust)?;
         let timeouts = (150..=2000).contains(&self.heartbeat_ms) && (500..=5000).contains(&self.recovery_ms);

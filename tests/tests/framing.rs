@@ -136,7 +136,6 @@ fn refusals() -> Vec<Refusal> {
         Refusal::NoSuchTable,
         Refusal::StoreFull,
         Refusal::StoreFailed,
-        Refusal::NoStore,
         Refusal::NoSuchIncident,
         Refusal::KillSwitch,
         Refusal::NotSealed,
@@ -560,15 +559,15 @@ fn every_frame_error_is_reachable() {
 #[test]
 fn the_bytes_on_the_line_are_these() {
     let hex = |bytes: &[u8]| bytes.iter().map(|b| format!("{b:02x}")).collect::<String>();
-    assert_eq!(PROTOCOL_VERSION, 3);
+    assert_eq!(PROTOCOL_VERSION, 4);
     let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
-    assert_eq!(up(1, Request::Identify), "030301050a561ce400");
+    assert_eq!(up(1, Request::Identify), "030401058f4053e100");
     assert_eq!(
         up(300, Request::Setpoint { sequence: 7, setpoint }),
-        "0603ac0216070103803f010102c001010a3fc3f51c41ecd74fe400"
+        "0604ac0216070103803f010102c001010a3fc3f51c41b451a88d00"
     );
-    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e03ad0217f8acd19101d7906f8b00");
+    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e04ad0217f8acd191011efd0eef00");
     let telemetry = Telemetry {
         time_us: 1_000_000,
         state: FlightState::Tracking,
@@ -597,10 +596,10 @@ fn the_bytes_on_the_line_are_these() {
     let down = |message| hex(&frame_of(&Downlink { version: PROTOCOL_VERSION, message }));
     assert_eq!(
         down(Message::Telemetry(telemetry)),
-        "130301c0843d0410010301020803effdb6f50d0107c03f01e90804010374410103803e010102bf0103803f0101010101010101010e803fa0060102940a0304e9081105c12d984900"
+        "130401c0843d0410010301020803effdb6f50d0107c03f01e90804010374410103803e010102bf0103803f0101010101010101010e803fa0060102940a0304e9081105dd68756f00"
     );
     let refused = Reply::Refused(Refusal::Table(TableError::Limits(LimitsError::CannotLift)));
-    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02030bad020c040506cecf24ed00");
+    assert_eq!(down(Message::Reply { number: 301, reply: refused }), "02040bad020c040506d7c6e1e700");
 }
 
 /// Every refusal says something a person can act on, in one line.

@@ -308,7 +308,6 @@ fn refusals() -> Vec<Refusal> {
         R::NoSuchTable,
         R::StoreFull,
         R::StoreFailed,
-        R::NoStore,
         R::NoSuchIncident,
         R::KillSwitch,
         R::NotSealed,
@@ -403,7 +402,6 @@ fn every_message_is_as_long_as_it_says() {
         Request::ReadSettings,
         Request::WriteSettings(Settings {
             kill_run_us: 1999,
-            kill_stop_us: 1001,
             heartbeat_ms: 2000,
             recovery_ms: 5000,
             ..Settings::DEFAULT
@@ -456,7 +454,7 @@ fn every_message_is_as_long_as_it_says() {
         Reply::Table(full()),
         Reply::Tables(std::iter::repeat_n(stored, 8).collect()),
         Reply::Vehicle(Some(VehicleConfig::REFERENCE)),
-        Reply::Settings(Settings { kill_stop_us: 1300, ..Settings::DEFAULT }),
+        Reply::Settings(Settings { kill_run_us: 1700, ..Settings::DEFAULT }),
         Reply::Record(RecordChunk { first: u32::MAX, total: u32::MAX, bytes: full::<MAX_CHUNK_BYTES>() }),
         Reply::Events(EventChunk {
             first: u32::MAX,

@@ -286,8 +286,8 @@ impl Control {
     #[inline(never)]
     fn listen(&mut self, now_us: u64) {
         if !self.motors_on {
-            let (channel, run_above_us, kill_below_us) = self.vehicle.kill_switch();
-            self.radio.configure(channel, run_above_us, kill_below_us);
+            let (channel, run_above_us) = self.vehicle.kill_switch();
+            self.radio.configure(channel, run_above_us);
         }
         self.radio.update(now_us);
     }

@@ -74,8 +74,8 @@ impl RadioReceiver {
     }
 
     /// Sets which switch it is. One that is already so goes on.
-    pub(super) fn configure(&mut self, channel: u8, run_above_us: u16, kill_below_us: u16) {
-        let config = KillSwitchConfig { channel, run_above_us, kill_below_us, ..KillSwitchConfig::DEFAULT };
+    pub(super) fn configure(&mut self, channel: u8, run_above_us: u16) {
+        let config = KillSwitchConfig { channel, run_above_us, ..KillSwitchConfig::DEFAULT };
         if self.config != config {
             self.config = config;
             self.switch = KillSwitch::new(config);

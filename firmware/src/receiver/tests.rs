@@ -184,7 +184,7 @@ proptest! {
     fn any_clock_and_any_settings_are_taken(
         times: Vec<u64>, channel: u8, run_above_us: u16, frames_to_run: u8, value in 0_u16..2048,
     ) {
-        let config = KillSwitchConfig { channel, run_above_us, kill_below_us: 1300, frames_to_run };
+        let config = KillSwitchConfig { channel, run_above_us, frames_to_run };
         let mut kill = KillSwitch::new(config);
         for now_us in times {
             kill.update(now_us, &switch(value));

@@ -58,7 +58,7 @@ use crate::table::MAX_TABLE_BYTES;
 use crate::vehicle::VehicleConfig;
 
 /// Raised with every change of a message.
-pub const PROTOCOL_VERSION: u8 = 3;
+pub const PROTOCOL_VERSION: u8 = 4;
 /// Most bytes of a table in one chunk.
 pub const STAGE_CHUNK_BYTES: usize = 128;
 /// Tables that a vehicle stores by name.

@@ -79,9 +79,6 @@ pub enum Refusal {
     /// Flash could not be written.
     #[error("the vehicle's flash could not be written: it may be worn out, do not rely on what it stores")]
     StoreFailed,
-    /// This board stores nothing.
-    #[error("this vehicle has no store: what it is told is lost when it is switched off")]
-    NoStore,
     /// That is not the incident that waits.
     #[error("no such incident waits: read the status again")]
     NoSuchIncident,
