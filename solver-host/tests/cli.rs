@@ -55,7 +55,7 @@ fn fly_json_has_the_fields_of_the_interface() {
         assert!(at(&format!("/flight/{errors}")).is_u64(), "{errors}");
     }
     assert_eq!(at("/vehicle/firmware_version"), env!("CARGO_PKG_VERSION"));
-    assert_eq!(at("/vehicle/protocol_version"), 3);
+    assert_eq!(at("/vehicle/protocol_version"), mintime_shared::messages::PROTOCOL_VERSION);
     assert_eq!(at("/flight/outcome"), "completed");
     assert_eq!(at("/flight/abort_reason"), Value::Null);
     assert!(at("/flight/ticks").as_u64().expect("a count") > 1100);

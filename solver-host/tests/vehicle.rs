@@ -11,7 +11,7 @@ use mintime::pack::pack;
 use mintime::port::{Port, PortError};
 use mintime::solver::{Request, solve};
 use mintime::vehicle::{PortLink, Session, SessionError};
-use mintime_shared::messages::{FlightState, Happening, Purpose, Refusal};
+use mintime_shared::messages::{FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, Refusal};
 use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::Value;
@@ -139,7 +139,7 @@ fn the_commands_of_the_bench() {
     let vehicle =
         |arguments: &[&str]| mintime(&[&["vehicle", &served.port][..], arguments, &["--json"]].concat());
 
-    assert_eq!(json(&vehicle(&["identity"]))["protocol_version"], 3);
+    assert_eq!(json(&vehicle(&["identity"]))["protocol_version"], PROTOCOL_VERSION);
     assert!(json(&vehicle(&["status"]))["arming_blocked_by"].is_array());
     json(&vehicle(&["params", "--save", &path("quad.json")]));
     let text = std::fs::read_to_string(path("quad.json")).expect("saved").replace("0.752", "0.76");
@@ -171,8 +171,18 @@ fn the_commands_of_the_bench() {
     assert_eq!(json(&mintime(&["stop", &served.port, "--key", &path("key"), "--json"]))["stopped"], true);
     let status = json(&vehicle(&["status", "--key", &path("key")]));
     assert_eq!(status["state"], "Terminated");
-    assert!(json(&vehicle(&["acknowledge", "--key", &path("key")]))["acknowledged"].is_number());
+    // Another one waits behind it, and is told.
+    served.with_hands(|hands| hands.report = Some(IncidentCause::Watchdog));
+    std::thread::sleep(Duration::from_millis(50));
+    let acknowledge = || json(&vehicle(&["acknowledge", "--key", &path("key")]));
+    let first = acknowledge();
+    assert_eq!(first["cause"], status["incident_cause"]);
+    assert_eq!(first["next"]["cause"], IncidentCause::Watchdog.to_string());
     assert_eq!(json(&vehicle(&["status", "--key", &path("key")]))["state"], "Disarmed");
+    let second = acknowledge();
+    assert_eq!(second["acknowledged"], first["next"]["number"]);
+    assert_eq!(second["next"], Value::Null);
+    assert_eq!(acknowledge()["acknowledged"], Value::Null);
     assert_eq!(json(&vehicle(&["pair", "--remove", "--key", &path("key")]))["paired"], false);
 }
 

@@ -11,7 +11,7 @@ use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleCo
 use mintime_firmware::flight::TickInput;
 use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::vehicle::Vehicle;
-use mintime_shared::messages::{BoardTelemetry, KillSwitch, RECORD_BYTES};
+use mintime_shared::messages::{BoardTelemetry, IncidentCause, KillSwitch, RECORD_BYTES};
 
 /// What the line does to chunks of bytes (datagrams, where it is UDP), each way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,6 +40,8 @@ pub(crate) enum By {
 pub(crate) struct Hands {
     /// Wait this many ticks, then turn about up by this rate, rad/s, for this many ticks.
     pub(crate) turn: Option<(u32, f32, u32)>,
+    /// Something that a person must know of.
+    pub(crate) report: Option<IncidentCause>,
     /// Highest throttle that each output has had.
     pub(crate) throttle: [f32; 4],
 }
@@ -248,6 +250,9 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool, hands: &Mutex<Hands
         let noise = if tick.is_multiple_of(2) { 1e-3 } else { -1e-3 };
         let mut hands = hands.lock().unwrap_or_else(PoisonError::into_inner);
         let yaw = turned(&mut hands);
+        if let Some(cause) = hands.report.take() {
+            vehicle.report(cause);
+        }
         let imu =
             Some(ImuSample { gyro_radps: [noise, -noise, noise + yaw], accel_mps2: [0.0, noise, 9.81] });
         let input = TickInput { now_us: tick * 1250, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
