@@ -9,7 +9,7 @@
 //! | gyro's edge to the end of the motors' frame | 1250 µs | 100 µs | begins 71 µs after the edge by a timer, lasts 27 | measured and reported |
 //! | control tick | 1250 µs | 1250 µs | the flight logic is one bounded function; link work per tick is capped in bytes | counted, later ticks keep their times |
 //! | no edge from the gyro | – | 1875 µs | a timer | the flight logic runs without a sample |
-//! | motors' frame is finished | 1250 µs | the next tick | a DMA stream and its interrupt | counted, timer and stream reset |
+//! | motors' frame is finished | 1250 µs | the next tick | a DMA stream and its interrupt | counted, timer and stream reset; eight in a row with the motors on end the run |
 //! | received bytes leave the DMA ring | 1.25 ms | 11 ms | the control tick takes 128 bytes, a little more than the line brings | the damaged frames are dropped by their checksum |
 //! | one burst on the wire | – | 20 ms | 256 bytes take 2.8 ms | burst given up, counted |
 //! | supervision: check-ins, battery, LED | 20 ms | 64 ms | no waits inside | the watchdog resets the board |
