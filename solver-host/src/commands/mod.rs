@@ -2,6 +2,8 @@
 
 mod answer;
 mod batch;
+#[cfg(test)]
+mod documented;
 mod explain;
 mod fly;
 mod keyboard;
