@@ -15,6 +15,7 @@ mod imu;
 mod link;
 mod motors;
 mod receiver;
+mod ring;
 mod spi;
 mod stack;
 mod storage;
