@@ -9,7 +9,7 @@
 mod critical;
 #[path = "../src/board/flash.rs"]
 mod flash;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "no tasks here that check in with it")]
 #[path = "../src/board/watchdog.rs"]
 mod watchdog;
 
@@ -42,8 +42,7 @@ struct Report {
     moves: AtomicU32,
 }
 
-// By its name, the test finds it.
-#[allow(unsafe_code)]
+#[allow(unsafe_code, reason = "the name by which the test finds it")]
 #[unsafe(no_mangle)]
 static REPORT: Report = Report {
     stage: AtomicU32::new(0),

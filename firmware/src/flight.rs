@@ -504,7 +504,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         let [roll, pitch, _] = mixed.saturation.axes;
         let saturated = roll || pitch || mixed.saturation.achieved_mps2 < SATURATED_LIFT * thrust_mps2;
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
-        let throttle = self.drive.throttles(&self.config, mixed.thrusts_n, self.drive_v, dt_s);
+        let throttle = self.drive.throttles_below(&self.config, mixed.thrusts_n, self.drive_v, dt_s, high_n);
         self.commanded = setpoint;
         TickOutput { throttle: Some(throttle), setpoint }
     }

@@ -62,12 +62,11 @@ impl Link {
     /// Takes received bytes, in any pieces. An emergency stop finds room whatever is waiting. With a key only what is sealed
     /// with it passes.
     #[inline(never)]
-    pub fn receive(&mut self, bytes: &[u8], key: Option<&PairingKey>, inbox: &mut Inbox) {
-        for &byte in bytes {
-            let uplink = match self.decoder.push_content(byte) {
-                None => continue,
-                Some(Err(_)) => None,
-                Some(Ok(content)) => match key {
+    pub fn receive(&mut self, mut bytes: &[u8], key: Option<&PairingKey>, inbox: &mut Inbox) {
+        while let Some(content) = self.decoder.next_content(&mut bytes) {
+            let uplink = match content {
+                Err(_) => None,
+                Ok(content) => match key {
                     None => parse(content).ok(),
                     Some(key) => match seal::open(key, self.session, self.last_counter, content) {
                         Some((content, counter)) => {
@@ -105,7 +104,7 @@ impl Link {
                 }
                 // By reference: the longest message has 250 bytes, most have few.
                 let Some(message) = outbox.front() else {
-                    self.frame = Frame::new();
+                    self.frame.clear();
                     break;
                 };
                 // No message of the protocol is longer than a frame; of one that were the frame is empty.
@@ -114,8 +113,8 @@ impl Link {
             }
             let rest = self.frame.as_bytes().get(self.sent..).unwrap_or_default();
             let count = rest.len().min(room.len());
-            for (slot, byte) in room.iter_mut().zip(rest) {
-                *slot = *byte;
+            if let (Some(room), Some(rest)) = (room.get_mut(..count), rest.get(..count)) {
+                room.copy_from_slice(rest);
             }
             self.sent += count;
             written += count;

@@ -167,13 +167,27 @@ impl RotorDrive {
         battery_v: Option<f32>,
         dt_s: f32,
     ) -> [f32; MOTOR_COUNT] {
+        self.throttles_below(config, thrusts_n, battery_v, dt_s, config.rotor_thrust_max_n)
+    }
+
+    /// The same with no rotor told to turn faster than for `high_n`, not even for a moment, to get where it shall be sooner.
+    /// `high_n` is no lower than the idle thrust, as for [`mix_below`].
+    pub fn throttles_below(
+        &mut self,
+        config: &VehicleConfig,
+        thrusts_n: [f32; MOTOR_COUNT],
+        battery_v: Option<f32>,
+        dt_s: f32,
+        high_n: f32,
+    ) -> [f32; MOTOR_COUNT] {
         let idle = sqrt(config.rotor_thrust_idle_n / config.rotor_thrust_max_n);
+        let high = at_most(sqrt(high_n / config.rotor_thrust_max_n), 1.0);
         let share = config.thrust_linear_share;
         let lead = at_least(config.rotor_lag_s / ROTOR_RESPONSE_S, 1.0);
         let mut command = [0.0; MOTOR_COUNT];
         for ((slot, thrust), speed) in command.iter_mut().zip(thrusts_n).zip(self.speed) {
             let wanted = sqrt(at_least(thrust / config.rotor_thrust_max_n, 0.0));
-            *slot = at_most(at_least(speed + lead * (wanted - speed), idle), 1.0);
+            *slot = at_most(at_least(speed + lead * (wanted - speed), idle), high);
         }
         let compensation = config.battery_nominal_v / self.voltage_now(config, battery_v);
         let throttles =

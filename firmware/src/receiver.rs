@@ -222,6 +222,11 @@ pub fn crc8(bytes: &[u8]) -> u8 {
 pub struct KillSwitch {
     config: KillSwitchConfig,
     parser: Parser,
+    /// By the last frame.
+    position: KillState,
+    /// What first stopped it among the bytes of this update.
+    dipped: Option<KillState>,
+    /// What the last update answered.
     state: KillState,
     /// When the last frame of channels came.
     heard_us: Option<u64>,
@@ -238,6 +243,8 @@ impl KillSwitch {
         Self {
             config,
             parser: Parser::new(),
+            position: KillState::Unknown,
+            dipped: None,
             state: KillState::Unknown,
             heard_us: None,
             run_frames: 0,
@@ -247,11 +254,13 @@ impl KillSwitch {
     }
 
     /// Takes what the receiver sent since the last call, at most [`BYTES_PER_CALL`] bytes of it, and answers what the pilot
-    /// wants at `now_us`. Call it every tick, with or without bytes: silence is an answer too.
+    /// wants at `now_us`. Call it every tick, with or without bytes: silence is an answer too. A switch that ran, did not, and
+    /// runs again, all in these bytes, does not run in this answer.
     #[inline(never)]
     pub fn update(&mut self, now_us: u64, bytes: &[u8]) -> KillState {
         // More than a line can bring in a tick is what piled up while nothing ran: the oldest of it is worth the least.
         let recent = bytes.get(bytes.len().saturating_sub(BYTES_PER_CALL)..).unwrap_or_default();
+        self.dipped = None;
         for &byte in recent {
             match self.parser.push(byte) {
                 Some(Frame::Channels(channels)) => self.channels(now_us, &channels),
@@ -269,10 +278,14 @@ impl KillSwitch {
         if self.heard_us.is_some_and(|heard| !fresh(heard)) {
             self.lose();
         }
+        self.state = match self.dipped {
+            Some(dipped) if self.position == KillState::Run => dipped,
+            _ => self.position,
+        };
         self.state
     }
 
-    /// What the pilot wanted at the last update.
+    /// What the last update answered.
     pub const fn state(&self) -> KillState {
         self.state
     }
@@ -294,27 +307,31 @@ impl KillSwitch {
 
     fn lose(&mut self) {
         self.run_frames = 0;
-        if self.state != KillState::Unknown {
-            self.state = KillState::Lost;
+        if self.position != KillState::Unknown {
+            self.go(KillState::Lost);
         }
+    }
+
+    fn go(&mut self, state: KillState) {
+        if state.kills() && self.position == KillState::Run {
+            self.dipped = self.dipped.or(Some(state));
+        }
+        self.position = state;
     }
 
     fn channels(&mut self, now_us: u64, channels: &[u16; CHANNELS]) {
         self.heard_us = Some(now_us);
         self.frames = self.frames.saturating_add(1);
         if self.link_quality == Some(0) {
-            self.state = KillState::Lost;
+            self.go(KillState::Lost);
             self.run_frames = 0;
             return;
         }
         let value = usize::from(self.config.channel).checked_sub(1).and_then(|n| channels.get(n));
         let runs = value.is_some_and(|value| pulse_us(*value) > self.config.run_above_us);
         self.run_frames = if runs { self.run_frames.saturating_add(1) } else { 0 };
-        self.state = if runs && self.run_frames >= self.config.frames_to_run {
-            KillState::Run
-        } else {
-            KillState::Kill
-        };
+        let running = runs && self.run_frames >= self.config.frames_to_run;
+        self.go(if running { KillState::Run } else { KillState::Kill });
     }
 }
 

@@ -1,9 +1,13 @@
 //! What outlives a reset and a new firmware: a few values in two sectors of flash, safe against a power cut at any moment.
 //!
 //! Records are appended to the *live* sector, the latest one of a key counts. When the sector is full, what is alive moves
-//! into the other sector, which becomes live with its header, written last. A record counts by its checksum, also written
-//! last. So every write has one word that decides it, and before that word the old value stands: at no time is the only copy
-//! of anything being erased.
+//! into the other sector, which becomes live with its header, written behind all else. A record counts by its checksum, also
+//! written behind it. So every write has one word that decides it, and before that word the old value stands: at no time is
+//! the only copy of anything being erased.
+//!
+//! Behind that word comes one more, the *confirmation*, which decides nothing. What does not add up and is confirmed was whole
+//! once: it is damaged, and [`Store::damage`] tells it. What is not confirmed was cut short. A sector that is given up says so
+//! in a word of its own before its header falls, so that this is not taken for damage either.
 //!
 //! The sector to move into is erased each time, whatever it reads as: cells of an erase cut short may read blank and not
 //! stay so. The sector left behind keeps its older copies until then; its number of generation is lower, so it never counts
@@ -11,15 +15,20 @@
 //!
 //! (`sequential-storage`, the well-known crate for this, was weighed and left out. It takes an erased page by two marker
 //! words; an erase cut short that leaves both of them standing makes its repair erase the good page of two and rebuild it
-//! from the broken one.)
+//! from the broken one. `tests/tests/other_store.rs` shows it.)
 //!
-//! Every call scans at most one sector: 16 KiB, 4096 words. A write takes up to 67 words of programming, a move 670 and an
+//! Every call scans a sector, 4096 words, three times at most. A write takes up to 68 words of programming, a move 760 and an
 //! erase.
 
+mod flash;
+mod header;
+mod key;
 mod order;
 mod record;
 
-use mintime_shared::crc32;
+pub use flash::{Flash, FlashFault, Sector};
+use header::{CONFIRMATION, GIVEN_UP, HEADER_BYTES, SectorHeader, YES, says_yes};
+pub use key::{Key, TABLES};
 pub use order::{Done, Order};
 use record::{Record, RecordHeader};
 
@@ -27,73 +36,16 @@ use record::{Record, RecordHeader};
 pub const SECTOR_BYTES: usize = 16 * 1024;
 /// Bytes of the longest value.
 pub const VALUE_BYTES: usize = 256;
-/// Tables that are kept.
-pub const TABLES: u8 = 8;
 
 /// Bytes of a word, the smallest that is written.
 const WORD: usize = 4;
-/// Magic number and version of the layout ("MTS1"), generation, checksum of both.
-const HEADER_BYTES: usize = 3 * WORD;
-const MAGIC: u32 = u32::from_le_bytes(*b"MTS1");
-/// Header word, value, checksum.
-const RECORD_BYTES: usize = WORD + VALUE_BYTES + WORD;
+/// Header word, value, checksum, confirmation.
+const RECORD_BYTES: usize = WORD + VALUE_BYTES + 2 * WORD;
 /// An erased word.
 const BLANK: u32 = u32::MAX;
 
 // All keys at full length fit into half a sector: a move always makes room.
 const _: () = assert!(HEADER_BYTES + (Key::ALL.len() + 1) * RECORD_BYTES < SECTOR_BYTES / 2);
-
-/// One of the two sectors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sector {
-    /// At the lower address.
-    First,
-    /// Behind it.
-    Second,
-}
-
-impl Sector {
-    const BOTH: [Self; 2] = [Self::First, Self::Second];
-
-    const fn other(self) -> Self {
-        match self {
-            Self::First => Self::Second,
-            Self::Second => Self::First,
-        }
-    }
-}
-
-/// The flash beneath: two sectors that are read by bytes, programmed by words (bits only fall) and erased whole.
-pub trait Flash {
-    /// Reads.
-    ///
-    /// # Errors
-    /// [`FlashFault`].
-    fn read(&mut self, sector: Sector, offset: usize, into: &mut [u8]) -> Result<(), FlashFault>;
-    /// Programs the word at `offset`, a multiple of four.
-    ///
-    /// # Errors
-    /// [`FlashFault`].
-    fn program(&mut self, sector: Sector, offset: usize, word: u32) -> Result<(), FlashFault>;
-    /// Makes all of a sector 0xFF.
-    ///
-    /// # Errors
-    /// [`FlashFault`].
-    fn erase(&mut self, sector: Sector) -> Result<(), FlashFault>;
-}
-
-/// The flash did not do what it was asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FlashFault {
-    /// Beyond the end of a sector, or no multiple of a word.
-    Place,
-    /// It could not be unlocked.
-    Locked,
-    /// It was busy for too long.
-    Busy,
-    /// It raised an error flag; the status register.
-    Refused(u32),
-}
 
 /// Why a value was not read or written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,53 +81,40 @@ impl From<FlashFault> for StoreError {
     }
 }
 
-/// What a value is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Key {
-    /// The vehicle's parameters.
-    Vehicle,
-    /// How the board behaves: receiver, limits.
-    Settings,
-    /// The key that host and vehicle share.
-    Pairing,
-    /// A maneuver table, 0 to [`TABLES`] − 1; higher numbers are kept as the highest.
-    Table(u8),
-}
-
-impl Key {
-    /// Every key.
-    pub const ALL: [Self; 11] = [
-        Self::Vehicle,
-        Self::Settings,
-        Self::Pairing,
-        Self::Table(0),
-        Self::Table(1),
-        Self::Table(2),
-        Self::Table(3),
-        Self::Table(4),
-        Self::Table(5),
-        Self::Table(6),
-        Self::Table(7),
-    ];
-
-    /// Its number in flash, which never changes its meaning.
-    pub const fn code(self) -> u8 {
-        match self {
-            Self::Vehicle => 1,
-            Self::Settings => 2,
-            Self::Pairing => 3,
-            Self::Table(n) if n < TABLES => 16 + n,
-            Self::Table(_) => 16 + TABLES - 1,
-        }
-    }
-}
-
-/// What a scan of a sector found.
-struct Scan {
-    /// The latest good record of the key asked for.
-    latest: Option<(usize, RecordHeader)>,
+/// Where a walk through a sector's records ended.
+struct Walk {
     /// Where the next record goes; the sector's end where no more may be appended.
     end: usize,
+    /// Behind the last word that was looked at as the beginning of a record.
+    looked_at: usize,
+}
+
+/// Which keys are damaged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Damage {
+    /// A bit for the code of each.
+    codes: u32,
+}
+
+impl Damage {
+    const NONE: Self = Self { codes: 0 };
+    const ALL: Self = Self { codes: u32::MAX };
+
+    fn set(&mut self, code: u8, damaged: bool) {
+        // Codes of keys are below 32.
+        let bit = 1_u32.checked_shl(code.into()).unwrap_or(0);
+        self.codes = if damaged { self.codes | bit } else { self.codes & !bit };
+    }
+
+    /// Whether there is any.
+    pub const fn is_any(self) -> bool {
+        self.codes != 0
+    }
+
+    /// Whether this key is.
+    pub const fn of(self, key: Key) -> bool {
+        self.codes >> key.code() & 1 != 0
+    }
 }
 
 /// The values. Keeps nothing in RAM: what counts is found in flash each time.
@@ -209,6 +148,33 @@ impl<F: Flash> Store<F> {
         Ok(Some(value.len()))
     }
 
+    /// For which keys [`Self::read`] may not answer what was written last, because flash has changed by itself: a later value,
+    /// or all that follows in the sector, or the whole sector cannot be read. Writing a key mends it, for that key. A write cut
+    /// short is no damage.
+    ///
+    /// # Errors
+    /// [`StoreError::Flash`].
+    #[inline(never)]
+    pub fn damage(&mut self) -> Result<Damage, StoreError> {
+        let live = self.live()?;
+        for sector in Sector::BOTH {
+            let counts = live.is_some_and(|(live, _)| live == sector);
+            if !counts && self.header(sector)?.was_live(live.map(|(_, generation)| generation)) {
+                return Ok(Damage::ALL);
+            }
+        }
+        let Some((sector, _)) = live else { return Ok(Damage::NONE) };
+        let mut damage = Damage::NONE;
+        let walk = self.walk(sector, |store, offset, header| {
+            let whole = store.record(sector, offset, header)?.is_some();
+            if whole || says_yes(store.word(sector, offset + header.record_bytes() - WORD)?) {
+                damage.set(header.code, !whole);
+            }
+            Ok(())
+        })?;
+        Ok(if self.is_blank(sector, walk.looked_at)? { damage } else { Damage::ALL })
+    }
+
     /// Gives `key` a new value. Nothing is written where it has that value already. Where this ends early, by a power cut or
     /// an error, the old value or the new one stands.
     ///
@@ -239,9 +205,15 @@ impl<F: Flash> Store<F> {
         // What is stale must not come to life again: it goes first. Then the live header falls, so that no half-erased
         // sector counts.
         let live = self.live()?.map_or(Sector::First, |(sector, _)| sector);
-        self.flash.erase(live.other())?;
-        self.flash.program(live, 0, 0)?;
-        self.flash.erase(live)?;
+        self.clear(live.other())?;
+        self.clear(live)
+    }
+
+    /// Erases a sector. Its header falls before, or it could stand in what an erase cut short leaves.
+    fn clear(&mut self, sector: Sector) -> Result<(), StoreError> {
+        self.flash.program(sector, GIVEN_UP, YES)?;
+        self.flash.program(sector, 0, 0)?;
+        self.flash.erase(sector)?;
         Ok(())
     }
 
@@ -261,10 +233,30 @@ impl<F: Flash> Store<F> {
 
     /// The generation of a sector, if its header is whole.
     fn generation(&mut self, sector: Sector) -> Result<Option<u32>, StoreError> {
-        let [magic, generation, check] =
-            [self.word(sector, 0)?, self.word(sector, WORD)?, self.word(sector, 2 * WORD)?];
-        let valid = magic == MAGIC && check == header_check(generation);
-        Ok(valid.then_some(generation))
+        Ok(self.header(sector)?.generation())
+    }
+
+    #[inline(never)]
+    fn header(&mut self, sector: Sector) -> Result<SectorHeader, StoreError> {
+        let mut words = [0; HEADER_BYTES / WORD];
+        for (n, word) in words.iter_mut().enumerate() {
+            *word = self.word(sector, n * WORD)?;
+        }
+        Ok(SectorHeader::from_words(words))
+    }
+
+    /// Whether nothing is written from `offset` on.
+    fn is_blank(&mut self, sector: Sector, offset: usize) -> Result<bool, StoreError> {
+        let mut piece = [0; 16 * WORD];
+        for at in (offset..SECTOR_BYTES).step_by(piece.len()) {
+            let size = piece.len().min(SECTOR_BYTES - at);
+            let piece = piece.get_mut(..size).unwrap_or_default();
+            self.flash.read(sector, at, piece)?;
+            if piece.iter().any(|byte| *byte != 0xFF) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     fn word(&mut self, sector: Sector, offset: usize) -> Result<u32, StoreError> {
@@ -273,31 +265,34 @@ impl<F: Flash> Store<F> {
         Ok(u32::from_le_bytes(word))
     }
 
-    /// Walks through the records. One whose value is damaged is passed over; behind one whose length cannot be believed
-    /// nothing is read and nothing more is written.
-    #[inline(never)]
-    fn scan(&mut self, sector: Sector, key: Key) -> Result<Scan, StoreError> {
-        let mut found = Scan { latest: None, end: HEADER_BYTES };
-        // A record takes two words at least.
-        for _ in 0..SECTOR_BYTES / (2 * WORD) {
-            if found.end + 2 * WORD > SECTOR_BYTES {
+    /// Walks through the records and shows each to `visit`. Behind one whose length cannot be believed nothing is read and
+    /// nothing more is written.
+    fn walk(
+        &mut self,
+        sector: Sector,
+        mut visit: impl FnMut(&mut Self, usize, RecordHeader) -> Result<(), StoreError>,
+    ) -> Result<Walk, StoreError> {
+        let mut walk = Walk { end: HEADER_BYTES, looked_at: HEADER_BYTES };
+        // A record takes three words at least.
+        for _ in 0..SECTOR_BYTES / (3 * WORD) {
+            if walk.end + 3 * WORD > SECTOR_BYTES {
                 break;
             }
-            let word = self.word(sector, found.end)?;
+            walk.looked_at = walk.end + WORD;
+            let word = self.word(sector, walk.end)?;
             if word == BLANK {
-                return Ok(found);
+                return Ok(walk);
             }
             let header = RecordHeader::from_word(word);
-            let Some(header) = header.filter(|h| found.end + h.record_bytes() <= SECTOR_BYTES) else {
+            let Some(header) = header.filter(|h| walk.end + h.record_bytes() <= SECTOR_BYTES) else {
                 break;
             };
-            if header.code == key.code() && self.record(sector, found.end, header)?.is_some() {
-                found.latest = Some((found.end, header));
-            }
-            found.end += header.record_bytes();
+            visit(self, walk.end, header)?;
+            walk.end += header.record_bytes();
+            walk.looked_at = walk.end;
         }
-        found.end = SECTOR_BYTES;
-        Ok(found)
+        walk.end = SECTOR_BYTES;
+        Ok(walk)
     }
 
     /// The record at `offset`, if it is whole.
@@ -312,14 +307,21 @@ impl<F: Flash> Store<F> {
         record.length = header.length;
         let value = record.bytes.get_mut(WORD..WORD + header.length).unwrap_or_default();
         self.flash.read(sector, offset + WORD, value)?;
-        let check = self.word(sector, offset + header.record_bytes() - WORD)?;
+        let check = self.word(sector, offset + header.record_bytes() - 2 * WORD)?;
         Ok((check == record.checksum()).then_some(record))
     }
 
-    /// The latest record of a key, unless it says that the key is removed.
+    /// The latest good record of a key, unless it says that the key is removed. One whose value is damaged is passed over.
     #[inline(never)]
     fn latest(&mut self, sector: Sector, key: Key) -> Result<Option<Record>, StoreError> {
-        match self.scan(sector, key)?.latest {
+        let mut latest = None;
+        self.walk(sector, |store, offset, header| {
+            if header.code == key.code() && store.record(sector, offset, header)?.is_some() {
+                latest = Some((offset, header));
+            }
+            Ok(())
+        })?;
+        match latest {
             Some((offset, header)) if !header.removed => self.record(sector, offset, header),
             _ => Ok(None),
         }
@@ -335,17 +337,20 @@ impl<F: Flash> Store<F> {
     #[inline(never)]
     fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
         let Some((live, generation)) = self.live()? else {
-            if value.is_none() {
+            if value.is_none() && !self.damage()?.of(key) {
                 return Ok(());
             }
             return self.begin(Sector::First, 1, None, key, record);
         };
-        if self.holds(live, key, value)? {
+        if self.holds(live, key, value)? && !self.damage()?.of(key) {
             return Ok(());
         }
-        let end = self.scan(live, key)?.end;
-        if self.append(live, end, record)?.is_some() {
-            return Ok(());
+        // A sector that was live is damaged: the move erases it, or it would be told for ever.
+        if !self.header(live.other())?.was_live(Some(generation)) {
+            let end = self.walk(live, |_, _, _| Ok(()))?.end;
+            if self.append(live, end, record)?.is_some() {
+                return Ok(());
+            }
         }
         self.begin(live.other(), generation.saturating_add(1), Some(live), key, record)
     }
@@ -358,7 +363,7 @@ impl<F: Flash> Store<F> {
         offset: usize,
         record: &Record,
     ) -> Result<Option<usize>, StoreError> {
-        let bytes = WORD + record.length.next_multiple_of(WORD) + WORD;
+        let bytes = record.bytes_in_flash();
         if offset + bytes > SECTOR_BYTES {
             return Ok(None);
         }
@@ -370,6 +375,7 @@ impl<F: Flash> Store<F> {
                 return Ok(None);
             }
         }
+        self.flash.program(sector, offset + bytes - WORD, YES)?;
         Ok(Some(offset + bytes))
     }
 
@@ -383,7 +389,7 @@ impl<F: Flash> Store<F> {
         key: Key,
         record: &Record,
     ) -> Result<(), StoreError> {
-        self.flash.erase(sector)?;
+        self.clear(sector)?;
         let mut end = HEADER_BYTES;
         if let Some(from) = from {
             for other in Key::ALL.into_iter().filter(|other| other.code() != key.code()) {
@@ -393,20 +399,15 @@ impl<F: Flash> Store<F> {
             }
         }
         self.append(sector, end, record)?.ok_or(StoreError::WornOut)?;
-        let header = [MAGIC, generation, header_check(generation)];
-        for (n, word) in header.into_iter().enumerate() {
+        for (n, word) in SectorHeader::words_of(generation).into_iter().enumerate() {
             self.flash.program(sector, n * WORD, word)?;
         }
-        if self.generation(sector)? == Some(generation) { Ok(()) } else { Err(StoreError::WornOut) }
+        if self.generation(sector)? != Some(generation) {
+            return Err(StoreError::WornOut);
+        }
+        self.flash.program(sector, CONFIRMATION, YES)?;
+        Ok(())
     }
-}
-
-fn header_check(generation: u32) -> u32 {
-    let mut bytes = [0; 2 * WORD];
-    let (magic, number) = bytes.split_at_mut(WORD);
-    magic.copy_from_slice(&MAGIC.to_le_bytes());
-    number.copy_from_slice(&generation.to_le_bytes());
-    crc32(&bytes)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::checksum;
+use crate::{checksum, stuffing};
 
 /// Longest frame on the wire, closing zero included: the largest message is a table upload or a record chunk of
 /// [`crate::messages::MAX_CHUNK_BYTES`], with header, checksum and COBS overhead.
@@ -62,6 +62,11 @@ impl Frame {
         Self { bytes: [0; MAX_FRAME_BYTES], length: 0 }
     }
 
+    /// Nothing again.
+    pub const fn clear(&mut self) {
+        self.length = 0;
+    }
+
     /// Becomes the frame of a message, in place; empty where there is an error.
     ///
     /// # Errors
@@ -79,19 +84,15 @@ impl Frame {
         message: &M,
         seal: impl FnOnce(&[u8]) -> [u8; N],
     ) -> Result<(), FrameError> {
-        self.length = 0;
-        let mut content = [0; MAX_FRAME_BYTES];
-        let bare = postcard::to_slice(message, &mut content).map_err(|_| FrameError::TooLong)?.len();
+        self.clear();
+        // The first byte is the code's.
+        let content = self.bytes.get_mut(1..).ok_or(FrameError::TooLong)?;
+        let bare = postcard::to_slice(message, content).map_err(|_| FrameError::TooLong)?.len();
         let tail = seal(content.get(..bare).unwrap_or_default());
         let body = bare + N;
         content.get_mut(bare..body).ok_or(FrameError::TooLong)?.copy_from_slice(&tail);
-        let length = checksum::append(&mut content, body).ok_or(FrameError::TooLong)?;
-        if cobs::max_encoding_length(length) + 1 > MAX_FRAME_BYTES {
-            return Err(FrameError::TooLong);
-        }
-        let coded = cobs::encode(content.get(..length).unwrap_or_default(), &mut self.bytes);
-        // Behind a last group of 254 bytes the encoder leaves the beginning of an empty one, so the zero is written here.
-        *self.bytes.get_mut(coded).ok_or(FrameError::TooLong)? = 0;
+        let length = checksum::append(content, body).ok_or(FrameError::TooLong)?;
+        let coded = stuffing::encode(&mut self.bytes, length).ok_or(FrameError::TooLong)?;
         self.length = coded + 1;
         Ok(())
     }
@@ -131,29 +132,48 @@ impl Decoder {
 
     /// The same, but the frame's content as it is: its checksum holds, nothing in it has been looked at.
     pub fn push_content(&mut self, byte: u8) -> Option<Result<&[u8], FrameError>> {
-        if byte != 0 {
-            match self.buffer.get_mut(self.length) {
-                Some(slot) => {
-                    *slot = byte;
-                    self.length += 1;
-                }
-                None => self.overflowed = true,
+        self.next_content(&mut [byte].as_slice())
+    }
+
+    /// The same with many bytes: takes what there is up to the end of the next frame, and leaves in `bytes` what came behind
+    /// it. `None` where they end before a frame does.
+    pub fn next_content(&mut self, bytes: &mut &[u8]) -> Option<Result<&[u8], FrameError>> {
+        loop {
+            let Some(end) = bytes.iter().position(|byte| *byte == 0) else {
+                self.append(bytes);
+                *bytes = &[];
+                return None;
+            };
+            self.append(bytes.get(..end).unwrap_or_default());
+            *bytes = bytes.get(end + 1..).unwrap_or_default();
+            if self.length > 0 {
+                break;
             }
-            return None;
         }
         let length = core::mem::take(&mut self.length);
         if core::mem::take(&mut self.overflowed) {
             return Some(Err(FrameError::TooLong));
         }
-        let coded = self.buffer.get_mut(..length)?;
-        if coded.is_empty() { None } else { Some(decode(coded)) }
+        self.buffer.get_mut(..length).map(decode)
+    }
+
+    /// Adds bytes of the frame under way.
+    fn append(&mut self, bytes: &[u8]) {
+        let room = self.buffer.get_mut(self.length..).unwrap_or_default();
+        match room.get_mut(..bytes.len()) {
+            Some(room) => {
+                room.copy_from_slice(bytes);
+                self.length += bytes.len();
+            }
+            // It ends in an error, whatever stands in the buffer.
+            None => (self.length, self.overflowed) = (self.buffer.len(), true),
+        }
     }
 }
 
 /// The content of one frame, without its closing zero, decoded in place.
 fn decode(coded: &mut [u8]) -> Result<&[u8], FrameError> {
-    let length = cobs::decode_in_place(coded).map_err(|_| FrameError::Encoding)?;
-    let content = coded.get(..length).ok_or(FrameError::Encoding)?;
+    let content = stuffing::decode(coded).ok_or(FrameError::Encoding)?;
     let (body, intact) = checksum::split(content).ok_or(FrameError::TooShort)?;
     if intact { Ok(body) } else { Err(FrameError::Checksum) }
 }
@@ -163,8 +183,7 @@ fn decode(coded: &mut [u8]) -> Result<&[u8], FrameError> {
 /// # Errors
 /// [`FrameError::Content`].
 pub fn parse<M: DeserializeOwned>(content: &[u8]) -> Result<M, FrameError> {
-    match postcard::take_from_bytes(content) {
-        Ok((message, [])) => Ok(message),
-        _ => Err(FrameError::Content),
-    }
+    let mut deserializer = postcard::Deserializer::from_bytes(content);
+    let message = M::deserialize(&mut deserializer).map_err(|_| FrameError::Content)?;
+    if deserializer.finalize().is_ok_and(<[u8]>::is_empty) { Ok(message) } else { Err(FrameError::Content) }
 }

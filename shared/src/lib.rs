@@ -20,6 +20,7 @@ pub mod real;
 pub mod replay;
 pub mod seal;
 pub mod settings;
+mod stuffing;
 pub mod table;
 pub mod vehicle;
 

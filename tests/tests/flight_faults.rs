@@ -3,8 +3,12 @@
 mod logic;
 
 use logic::{Bench, FRESH_TICKS, TICK_US, table};
+use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::gyro::ImuSample;
-use mintime_shared::messages::{AbortReason, FlightState, KillSwitch, Purpose, Refusal, Reply, Request};
+use mintime_shared::messages::{
+    AbortReason, FlightState, KillSwitch, Purpose, Refusal, Reply, Request, Setpoint,
+};
+use mintime_shared::settings::Settings;
 
 const ALL_STATES: [FlightState; 9] = FlightState::ALL;
 
@@ -210,6 +214,32 @@ fn late_ticks_end_the_maneuver() {
     }
     assert_eq!(bench.logic.state(), FlightState::Tracking);
     assert_eq!(bench.telemetry().late_ticks, 100);
+}
+
+/// With the thrust capped for the bench no rotor is told to turn faster than at its quarter of the cap, not even to get there.
+#[test]
+fn on_the_bench_no_throttle_leads_beyond_the_cap() {
+    const CAP_MPS2: f32 = 4.0;
+    let vehicle = VehicleConfig::REFERENCE;
+    let mut bench = Bench::ready();
+    bench.kill = KillSwitch::Absent;
+    bench.stands = true;
+    let settings = Settings { bench_thrust_mps2: CAP_MPS2, ..Settings::DEFAULT };
+    assert_eq!(bench.ask(Request::WriteSettings(settings)), Reply::Done);
+    bench.arm();
+    let share = f64::from(CAP_MPS2 * vehicle.mass_kg / 4.0 / vehicle.rotor_thrust_max_n);
+    let most = share.sqrt() * f64::from(vehicle.battery_nominal_v) / 15.5;
+    let mut highest = 0.0;
+    for step in 0..20_u8 {
+        let thrust_mps2 = if step % 2 == 0 { 20.0 } else { 1.0 };
+        bench.stream = Some(Setpoint { rates_radps: [0.0; 3], thrust_mps2 });
+        for _ in 0..30 {
+            bench.tick(&[]);
+            let throttles = bench.out.throttle.expect("motors on").map(f64::from);
+            highest = throttles.into_iter().fold(highest, f64::max);
+        }
+    }
+    assert!((highest / most - 1.0).abs() < 1e-4, "{highest} for {most}");
 }
 
 /// Kill switch, emergency stop and disarm, in every state: motors off in the same tick.

@@ -153,6 +153,23 @@ proptest! {
         prop_assert!(throttle.iter().all(|t| (t - (2.0f32 / 8.5).sqrt()).abs() < 1e-4), "{:?}", throttle);
     }
 
+    /// Below a cap no rotor is ever told to turn faster than the cap's own thrust needs, however the thrusts jump.
+    #[test]
+    fn nothing_leads_beyond_the_cap(
+        cap_n in 0.3f32..8.5, shares in prop::collection::vec(prop::array::uniform4(0f32..=1.0), 1..60),
+        volts in prop::option::of(13.0f32..16.8), dt_s in 0f32..0.0025,
+    ) {
+        let mut drive = RotorDrive::new();
+        let compensation = 14.8 / volts.unwrap_or(14.8);
+        let most = (f64::from(cap_n) / 8.5).sqrt() * f64::from(compensation);
+        for share in shares {
+            let thrusts = share.map(|share| share * cap_n);
+            for throttle in drive.throttles_below(&VEHICLE, thrusts, volts, dt_s, cap_n) {
+                prop_assert!(f64::from(throttle) <= most * (1.0 + 1e-5), "{} for {}", throttle, most);
+            }
+        }
+    }
+
     /// At rest the throttle is the square root of the thrust's share, times nominal over actual voltage.
     #[test]
     fn steady_throttle_is_the_square_root_map(

@@ -139,7 +139,7 @@ impl<B: Board> Rig<B> {
     }
 
     /// Sets up a stream without switching it on.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "they are the registers of a stream, in the manual's order")]
     pub fn stream(&mut self, dma: u32, stream: u32, cr: u32, count: u32, peripheral: u32, memory: u32) {
         let base = dma + 0x10 + 0x18 * stream;
         self.write(base, 0);

@@ -1,16 +1,13 @@
-//! The serial link. DMA writes what the host sends into a ring, and the control tick takes it from there; what goes to the
-//! host travels through a pipe and a task that has it sent by DMA.
+//! The serial link. What the host sends comes through a [ring](super::ring); what goes to the host travels through a pipe and
+//! a task that has it sent by DMA.
 //!
-//! Deadline: the ring holds 11 ms of a saturated line and the control tick empties it every 1.25 ms. Reception is never
-//! stopped and never started again: noise, a bad stop bit or an overrun spoil a frame, which its checksum shows, and are
-//! counted. A driver that stops for them would have to find a moment to start in which no byte arrives, and a host that
-//! talks without a pause has none.
+//! Deadline: the ring holds 11 ms of a saturated line and the control tick empties it every 1.25 ms.
 
-use core::sync::atomic::{AtomicU8, AtomicU32, Ordering};
+use core::sync::atomic::{AtomicU32, Ordering};
 
-use embassy_stm32::gpio::{AfType, Flex, Pull};
+use embassy_stm32::gpio::Flex;
 use embassy_stm32::mode::Async;
-use embassy_stm32::pac::dma::vals::{Dir, Pl, Size};
+use embassy_stm32::pac::dma::vals::Pl;
 use embassy_stm32::usart::{self, UartTx};
 use embassy_stm32::{Peri, peripherals};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
@@ -21,6 +18,7 @@ use super::facts::{
     Irqs, LINK_ALTERNATE_FUNCTION, LINK_BAUD, LINK_DMA, LINK_DMA_CHANNEL, LINK_DMA_STREAM, LINK_UART,
     LinkParts,
 };
+use super::ring::{Line, Ring, RingMemory};
 use super::watchdog::{self, Party};
 
 /// Bytes from the control tick, on their way to the host.
@@ -33,8 +31,7 @@ pub(super) static TRANSMIT_ERRORS: AtomicU32 = AtomicU32::new(0);
 
 /// 11 ms of a saturated line.
 const RING_BYTES: usize = 1024;
-/// In main RAM: DMA cannot reach the core-coupled memory. Atomics, because somebody else writes them.
-static RING: [AtomicU8; RING_BYTES] = [const { AtomicU8::new(0) }; RING_BYTES];
+static RING: RingMemory<RING_BYTES> = RingMemory::new();
 
 /// How long the sender sleeps at most before it checks in again.
 const TRANSMIT_POLL: Duration = Duration::from_millis(10);
@@ -56,58 +53,30 @@ pub(super) fn open(parts: LinkParts) -> Result<(Receiver, UartTx<'static, Async>
 
 /// Host → control tick.
 pub(super) struct Receiver {
-    _pin: Flex<'static>,
     _dma: Peri<'static, peripherals::DMA2_CH2>,
-    /// Place in the ring of the next byte to be taken.
-    next: usize,
+    ring: Ring<RING_BYTES>,
 }
 
 impl Receiver {
     fn new(pin: Peri<'static, peripherals::PA10>, dma: Peri<'static, peripherals::DMA2_CH2>) -> Self {
-        let mut pin = Flex::new(pin);
-        // With no cable the input must rest at the idle level instead of collecting noise.
-        pin.set_as_af_unchecked(LINK_ALTERNATE_FUNCTION, AfType::input(Pull::Up));
-        let stream = LINK_DMA.st(LINK_DMA_STREAM);
-        stream.par().write_value(LINK_UART.dr().as_ptr() as u32);
-        stream.m0ar().write_value(RING.as_ptr() as u32);
-        stream.ndtr().write(|w| w.set_ndt(RING_BYTES as u16));
-        stream.cr().write(|w| {
-            w.set_chsel(LINK_DMA_CHANNEL);
-            w.set_dir(Dir::PERIPHERAL_TO_MEMORY);
-            w.set_circ(true);
-            w.set_minc(true);
-            w.set_msize(Size::BITS8);
-            w.set_psize(Size::BITS8);
-            w.set_pl(Pl::HIGH);
-            w.set_en(true);
-        });
-        LINK_UART.cr3().modify(|w| w.set_dmar(true));
-        LINK_UART.cr1().modify(|w| w.set_re(true));
-        Self { _pin: pin, _dma: dma, next: 0 }
+        let line = Line {
+            uart: LINK_UART,
+            dma: LINK_DMA,
+            stream: LINK_DMA_STREAM,
+            channel: LINK_DMA_CHANNEL,
+            priority: Pl::HIGH,
+        };
+        let ring = Ring::start(line, &RING, Flex::new(pin), LINK_ALTERNATE_FUNCTION);
+        Self { _dma: dma, ring }
     }
 
     /// Takes bytes that have arrived and returns how many. From the control tick.
     pub(super) fn take(&mut self, into: &mut [u8]) -> usize {
-        let status = LINK_UART.sr().read();
-        if status.ore() || status.ne() || status.fe() {
+        let taken = self.ring.take(into);
+        if taken.disturbed {
             RECEIVE_ERRORS.fetch_add(1, Ordering::Relaxed);
-            // Status, then data, clears the flags. Where a byte waits the stream reads it, which does as well.
-            if !status.rxne() {
-                let _ = LINK_UART.dr().read();
-            }
         }
-        let left = usize::from(LINK_DMA.st(LINK_DMA_STREAM).ndtr().read().ndt());
-        let written = RING_BYTES.saturating_sub(left) % RING_BYTES;
-        let mut taken = 0;
-        for slot in into {
-            if self.next == written {
-                break;
-            }
-            *slot = RING.get(self.next).map_or(0, |byte| byte.load(Ordering::Relaxed));
-            self.next = (self.next + 1) % RING_BYTES;
-            taken += 1;
-        }
-        taken
+        taken.count
     }
 }
 

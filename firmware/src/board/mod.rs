@@ -3,6 +3,7 @@
 
 mod battery;
 mod control;
+mod copy;
 mod core_setup;
 mod critical;
 mod dshot;
@@ -15,6 +16,7 @@ mod imu;
 mod link;
 mod motors;
 mod receiver;
+mod ring;
 mod spi;
 mod stack;
 mod storage;
@@ -25,6 +27,10 @@ mod vehicle;
 mod watchdog;
 
 use defmt_rtt as _;
+use embassy_executor::Spawner;
+use embassy_stm32::gpio::Output;
+use embassy_stm32::mode::Async;
+use embassy_stm32::usart::UartTx;
 use mintime_firmware::receiver::KillSwitchConfig;
 use mintime_shared::messages::IncidentCause;
 
@@ -40,6 +46,41 @@ unsafe fn before_memory() {
 /// Start-up, in the order that leaves no moment unguarded: motors low, watchdog, clocks, then everything else.
 #[cortex_m_rt::entry]
 fn start() -> ! {
+    let tasks = set_up();
+    idle::run(|spawner| tasks.spawn(spawner))
+}
+
+/// What the tasks in thread mode begin with.
+struct Tasks {
+    gyro: facts::GyroParts,
+    transmitter: UartTx<'static, Async>,
+    battery: battery::Battery,
+    led: Output<'static>,
+    crashed: bool,
+    store: storage::BoardStore,
+}
+
+impl Tasks {
+    fn spawn(self, spawner: Spawner) {
+        let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (
+            imu::set_up(self.gyro),
+            link::transmit(self.transmitter),
+            supervision::run(self.battery, self.led, self.crashed),
+            storage::run(self.store),
+        ) else {
+            fault::set_up_failed(line!())
+        };
+        spawner.spawn(gyro);
+        spawner.spawn(transmit);
+        spawner.spawn(supervise);
+        spawner.spawn(keep);
+    }
+}
+
+/// Everything up to the first control tick. Apart from what never returns, or the 4 KB that this needs of the stack would
+/// never be free again.
+#[inline(never)]
+fn set_up() -> Tasks {
     motors::force_low();
     watchdog::start();
     let cause = fault::take_reset_cause();
@@ -89,20 +130,7 @@ fn start() -> ! {
     let late_timer = tick_source::LateTimer::new(parts.late_timer);
     control::start(vehicle, earlier, sealed, receiver, radio, motors, late_timer);
     let crashed = crash.is_some() || termination.is_some();
-    idle::run(|spawner| {
-        let (Ok(gyro), Ok(transmit), Ok(supervise), Ok(keep)) = (
-            imu::set_up(parts.gyro),
-            link::transmit(transmitter),
-            supervision::run(battery, led, crashed),
-            storage::run(store),
-        ) else {
-            fault::set_up_failed(line!())
-        };
-        spawner.spawn(gyro);
-        spawner.spawn(transmit);
-        spawner.spawn(supervise);
-        spawner.spawn(keep);
-    })
+    Tasks { gyro: parts.gyro, transmitter, battery, led, crashed, store }
 }
 
 /// What a person must hear of before the motors turn again: how the last run ended.

@@ -4,7 +4,7 @@
 //! are off, and may let nobody arm while [`busy`] says so. From [`submit`] on that is the case, up to the tick in which the
 //! answer can be taken.
 //!
-//! Times, at the longest: an order waits for thread mode to be free (a millisecond); writing takes 67 words of 0.1 ms, in the
+//! Times, at the longest: an order waits for thread mode to be free (a millisecond); writing takes 68 words of 0.1 ms, in the
 //! quiet part of the ticks, so twice that; once in a hundred writes or so a sector is erased and refilled, 0.5 s and 0.14 s.
 //! The watchdog's timeout is lengthened for each order and set back after it. Time stands still during an erase ([`super::flash`]): ticks neither run late nor count
 //! as missed, the board's clock is behind by that much afterwards.
@@ -16,7 +16,7 @@ use cortex_m::peripheral::DWT;
 use embassy_sync::blocking_mutex::Mutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use mintime_firmware::store::{Done, FlashFault, Key, Order, Store, StoreError, VALUE_BYTES};
+use mintime_firmware::store::{Damage, Done, FlashFault, Key, Order, Store, StoreError, VALUE_BYTES};
 
 use super::facts::{CORE_MHZ, MOTOR_TIMER};
 use super::flash::StoreFlash;
@@ -52,8 +52,8 @@ fn quiet() -> bool {
     !near && !MOTOR_TIMER.cr1().read().cen()
 }
 
-/// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 5 ms. What cannot
-/// be read is told and left out. Returns whether all of it could be read and `take` took it.
+/// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 6 ms. What cannot
+/// be read is told and left out. Returns whether all of it could be read, was what had been written last, and `take` took it.
 #[inline(never)]
 pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8]) -> bool) -> bool {
     let mut value = [0; VALUE_BYTES];
@@ -67,6 +67,11 @@ pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8]) -> b
                 false
             }
         };
+    }
+    // An older value counts, or none.
+    if store.damage().map_or(true, Damage::is_any) {
+        defmt::error!("kept: some of it is damaged");
+        whole = false;
     }
     whole
 }

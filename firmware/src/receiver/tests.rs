@@ -107,6 +107,24 @@ fn silence_and_a_dead_link_are_a_kill() {
     assert_eq!(running(10 * MS).update(9 * MS, &[]), KillState::Lost);
 }
 
+/// A switch that bounces, or bytes of many milliseconds at once.
+#[test]
+fn a_stop_among_frames_that_run_is_seen() {
+    let back: Vec<u8> = (0..3).flat_map(|_| switch(HIGH)).collect();
+    let dips = [(switch(LOW), KillState::Kill), ([quality(0), quality(90)].concat(), KillState::Lost)];
+    for (dip, seen) in dips {
+        let mut kill = running(0);
+        assert_eq!(kill.update(MS, &[dip, back.clone()].concat()), seen);
+        assert_eq!(kill.state(), seen);
+        // The call after it tells how it is.
+        assert_eq!(kill.update(2 * MS, &[]), KillState::Run);
+        assert_eq!(kill.state(), KillState::Run);
+    }
+    // What never ran has not stopped.
+    let mut kill = KillSwitch::new(KillSwitchConfig::DEFAULT);
+    assert_eq!(kill.update(0, &[switch(LOW), back.clone()].concat()), KillState::Run);
+}
+
 #[test]
 fn other_frames_and_other_channels_do_not_matter() {
     let mut kill = running(0);

@@ -1,4 +1,5 @@
-//! How a value lies in flash: a header word, the value in whole words, a checksum over both.
+//! How a value lies in flash: a header word, the value in whole words, a checksum over both, and the confirmation that all of
+//! it was written.
 
 use mintime_shared::crc32;
 
@@ -34,8 +35,12 @@ impl RecordHeader {
 
     /// Bytes of the whole record.
     pub(super) fn record_bytes(self) -> usize {
-        WORD + self.length.next_multiple_of(WORD) + WORD
+        bytes_in_flash(self.length)
     }
+}
+
+const fn bytes_in_flash(length: usize) -> usize {
+    WORD + length.next_multiple_of(WORD) + 2 * WORD
 }
 
 /// Header word and value, as its checksum sees them.
@@ -64,7 +69,12 @@ impl Record {
         self.bytes.get(WORD..WORD + self.length).unwrap_or_default()
     }
 
-    /// In the order in which they are programmed.
+    /// Bytes of the whole record.
+    pub(super) fn bytes_in_flash(&self) -> usize {
+        bytes_in_flash(self.length)
+    }
+
+    /// In the order in which they are programmed; the confirmation comes behind them.
     pub(super) fn words(&self) -> impl Iterator<Item = u32> + '_ {
         let used = WORD + self.length.next_multiple_of(WORD);
         let words = self.bytes.as_chunks::<WORD>().0.iter().take(used / WORD);

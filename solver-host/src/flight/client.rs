@@ -5,7 +5,8 @@
 
 use mintime_shared::framing::{Decoder, Frame};
 use mintime_shared::messages::{
-    Downlink, Message, PROTOCOL_VERSION, Refusal, Reply, Request, Setpoint, Telemetry, Uplink,
+    Downlink, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
+    Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::seal::{PairingKey, seal};
 
@@ -298,5 +299,28 @@ impl Client {
         bytes.push(0);
         bytes.extend_from_slice(frame.as_bytes());
         line.send(&bytes)
+    }
+}
+
+/// Downloads the record, chunk by chunk: `call` asks the vehicle, `mismatch` says that its answer is none to the question.
+pub(crate) fn download_record<E>(
+    mut call: impl FnMut(Request) -> Result<Reply, E>,
+    mismatch: impl Fn() -> E,
+) -> Result<Vec<RecordedTick>, E> {
+    let mut record = Vec::new();
+    loop {
+        let first = record.len() as u32;
+        let Reply::Record(RecordChunk { first: got, total, bytes }) = call(Request::ReadRecord { first })?
+        else {
+            return Err(mismatch());
+        };
+        let (ticks, rest) = bytes.as_chunks::<RECORD_BYTES>();
+        if got != first || !rest.is_empty() || (ticks.is_empty() && first < total) {
+            return Err(mismatch());
+        }
+        record.extend(ticks.iter().map(RecordedTick::from_bytes));
+        if record.len() as u32 >= total {
+            return Ok(record);
+        }
     }
 }

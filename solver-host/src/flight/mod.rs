@@ -14,6 +14,7 @@ mod position_control;
 mod virtual_board;
 mod world;
 
+pub(crate) use client::download_record;
 pub use client::{Client, ClientError};
 pub use connection::{Connection, ConnectionError, Line, Phase, Pose};
 pub use estimator::{Calmness, Estimate, Estimator};
@@ -27,8 +28,8 @@ pub use world::{Scene, Trace};
 use std::time::{Duration, Instant};
 
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RECORD_BYTES, RecordChunk, RecordedTick,
-    Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint,
+    AbortReason, ArmingBlock, FlightState, Identity, Purpose, RecordedTick, Refusal, Reply, Request,
+    STAGE_CHUNK_BYTES, Setpoint,
 };
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
@@ -580,23 +581,7 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
 
     fn download(&mut self) -> Result<Vec<RecordedTick>, FlightError> {
         const DURING: &str = "downloading the record";
-        let mut record = Vec::new();
-        loop {
-            let first = record.len() as u32;
-            let Reply::Record(RecordChunk { first: got, total, bytes }) =
-                self.call(DURING, Request::ReadRecord { first })?
-            else {
-                return Err(mismatch(DURING));
-            };
-            let (ticks, rest) = bytes.as_chunks::<RECORD_BYTES>();
-            if got != first || !rest.is_empty() || (ticks.is_empty() && first < total) {
-                return Err(mismatch(DURING));
-            }
-            record.extend(ticks.iter().map(RecordedTick::from_bytes));
-            if record.len() as u32 >= total {
-                return Ok(record);
-            }
-        }
+        download_record(|request| self.call(DURING, request), || mismatch(DURING))
     }
 }
 

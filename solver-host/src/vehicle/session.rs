@@ -1,8 +1,8 @@
 //! A conversation with a vehicle: one question after the other, each with its answer.
 
 use mintime_shared::messages::{
-    Event, Identity, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES,
-    StoredTable, TableName, Telemetry,
+    Event, Identity, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, StoredTable, TableName,
+    Telemetry,
 };
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
@@ -10,7 +10,7 @@ use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableEr
 use mintime_shared::vehicle::VehicleConfig;
 
 use super::link::Link;
-use crate::flight::{Client, ClientError, ConnectionError};
+use crate::flight::{Client, ClientError, ConnectionError, download_record};
 
 /// An answer is looked for this often, s.
 const LOOK_S: f64 = 0.002;
@@ -356,23 +356,7 @@ impl<L: Link> Session<L> {
     /// [`SessionError`].
     pub fn record(&mut self) -> Result<Vec<RecordedTick>, SessionError> {
         const DURING: &str = "downloading the record";
-        let mut record = Vec::new();
-        loop {
-            let first = record.len() as u32;
-            let Reply::Record(RecordChunk { first: got, total, bytes }) =
-                self.call(DURING, Request::ReadRecord { first })?
-            else {
-                return Err(mismatch(DURING));
-            };
-            let (ticks, rest) = bytes.as_chunks::<RECORD_BYTES>();
-            if got != first || !rest.is_empty() || (ticks.is_empty() && first < total) {
-                return Err(mismatch(DURING));
-            }
-            record.extend(ticks.iter().map(RecordedTick::from_bytes));
-            if record.len() as u32 >= total {
-                return Ok(record);
-            }
-        }
+        download_record(|request| self.call(DURING, request), || mismatch(DURING))
     }
 
     /// All events that it remembers, each with its number.
