@@ -276,6 +276,7 @@ impl FlashInterface {
     }
 
     /// Instructions are fetched from `line` at `now`: cycles until they arrive.
+    #[inline(never)]
     pub(crate) fn fetch(&mut self, line: u32, now: Cycle) -> u64 {
         self.instructions.fetch(line, now, self.latency, self.instruction_cache, self.prefetch)
     }
