@@ -64,6 +64,7 @@ impl Default for InstructionCache {
 }
 
 impl InstructionCache {
+    #[inline]
     pub(super) fn fetch(
         &mut self,
         line: u32,
@@ -96,6 +97,7 @@ impl InstructionCache {
     }
 
     /// Puts `line` where the line least recently used was.
+    #[inline(never)]
     fn replace(&mut self, line: u32) {
         let place = self.uses.earliest();
         let held = &mut self.lines[usize::from(place) % INSTRUCTION_LINES];
@@ -124,9 +126,8 @@ const END: u8 = INSTRUCTION_LINES as u8;
 impl Uses {
     /// As if the places had been used from the first to the last, so that they are filled in this order.
     fn new() -> Self {
-        let ring = |step: usize| {
-            std::array::from_fn(|place| ((place + step) % (INSTRUCTION_LINES + 1)) as u8)
-        };
+        let ring =
+            |step: usize| std::array::from_fn(|place| ((place + step) % (INSTRUCTION_LINES + 1)) as u8);
         Self { later: ring(1), earlier: ring(INSTRUCTION_LINES) }
     }
 
