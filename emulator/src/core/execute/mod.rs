@@ -51,7 +51,8 @@ impl Core {
         // Out of `self`, so that a slot can be looked at while the core changes; put back below.
         let mut slots = std::mem::take(&mut self.flash_slots);
         let mut pc = self.pc;
-        // As well, so that it stays in a register of the host; whatever leaves this function goes through `outside`.
+        // As well, so that it stays in a register of the host; what may look at it goes through `outside`. It wraps, for a
+        // check at each step costs more than 2^64 cycles are worth: 3,500 years.
         let mut cycle = self.cycle;
         let mut executed = 0_u64;
         let mut scratch;
@@ -108,6 +109,7 @@ impl Core {
                 continue;
             }};
         }
+        // ExecuteFPCheck (B1.5.7), where it could do something.
         macro_rules! ready_float {
             () => {
                 if !self.fp_ready {
