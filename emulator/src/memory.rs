@@ -276,6 +276,8 @@ impl FlashInterface {
     }
 
     /// Instructions are fetched from `line` at `now`: cycles until they arrive.
+    // Not into the interpreter's loop, which needs the host's registers.
+    #[inline(never)]
     pub(crate) fn fetch(&mut self, line: u32, now: Cycle) -> u64 {
         self.instructions.fetch(line, now, self.latency, self.instruction_cache, self.prefetch)
     }

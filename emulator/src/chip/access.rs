@@ -33,8 +33,12 @@ impl<B: Board> Chip<B> {
             Block::Wwdg => self.wwdg.read(register, at, self.wwdg_divider()),
             Block::Iwdg => self.iwdg.read(register, self.clock.ns(at)),
             Block::Spi(n) => {
-                let value = self.spis[usize::from(n)].read(register);
-                self.refresh(block);
+                let spi = &mut self.spis[usize::from(n)];
+                let before = spi.interrupt();
+                let value = spi.read(register);
+                if spi.interrupt() != before {
+                    self.refresh(block);
+                }
                 value
             }
             Block::Usart(n) => {
@@ -250,6 +254,9 @@ impl<B: Board> Chip<B> {
             Block::Dma(n) => {
                 let controller = usize::from(n);
                 let active = self.dma[controller].interrupts();
+                if active == 0 && self.lines & map::DMA_LINES[controller & 1] == 0 {
+                    return;
+                }
                 for stream in 0..8 {
                     self.set_line(map::dma_irq(controller, stream), active >> stream & 1 == 1);
                 }

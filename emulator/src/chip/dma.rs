@@ -162,12 +162,9 @@ impl Stream {
     }
 
     fn interrupt(&self) -> bool {
-        let flags = self.flags;
-        flags & DMEIF != 0 && self.cr >> 1 & 1 == 1
-            || flags & TEIF != 0 && self.cr >> 2 & 1 == 1
-            || flags & HTIF != 0 && self.cr >> 3 & 1 == 1
-            || flags & TCIF != 0 && self.cr >> 4 & 1 == 1
-            || flags & FEIF != 0 && self.fcr >> 7 & 1 == 1
+        // DMEIE to TCIE lie one bit below their flags.
+        let enabled = (self.cr << 1) as u8 & (DMEIF | TEIF | HTIF | TCIF) | (self.fcr >> 7) as u8 & FEIF;
+        self.flags & enabled != 0
     }
 }
 

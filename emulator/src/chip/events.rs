@@ -40,6 +40,7 @@ const ADC: usize = SPI + 3;
 const COPY: usize = ADC + 3;
 const DMA: usize = COPY + 8;
 const SLOTS: usize = DMA + 2;
+const _: () = assert!(SLOTS <= 64);
 
 impl Slot {
     fn index(self) -> usize {
@@ -82,13 +83,15 @@ impl Slot {
 #[derive(Clone, Debug)]
 pub(crate) struct Events {
     due: [Cycle; SLOTS],
+    /// Which of them are not [`NEVER`], as bits.
+    set: u64,
     next: Cycle,
     next_index: usize,
 }
 
 impl Events {
     pub(crate) fn new() -> Self {
-        Self { due: [NEVER; SLOTS], next: NEVER, next_index: 0 }
+        Self { due: [NEVER; SLOTS], set: 0, next: NEVER, next_index: 0 }
     }
 
     /// The earliest due time.
@@ -103,6 +106,7 @@ impl Events {
             return;
         }
         self.due[index] = at;
+        self.set = self.set & !(1 << index) | u64::from(at != NEVER) << index;
         if at < self.next {
             (self.next, self.next_index) = (at, index);
         } else if index == self.next_index || at == self.next {
@@ -117,13 +121,21 @@ impl Events {
         }
         let (index, at) = (self.next_index, self.next);
         self.due[index] = NEVER;
+        self.set &= !(1 << index);
         self.find_next();
         Some((Slot::from_index(index), at))
     }
 
     fn find_next(&mut self) {
-        self.next = self.due.iter().copied().fold(NEVER, Cycle::min);
-        self.next_index = self.due.iter().position(|&at| at == self.next).unwrap_or(0);
+        (self.next, self.next_index) = (NEVER, 0);
+        let mut left = self.set;
+        while left != 0 {
+            let index = left.trailing_zeros() as usize;
+            left &= left - 1;
+            if self.due[index] < self.next {
+                (self.next, self.next_index) = (self.due[index], index);
+            }
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::memory::Memory;
 
 impl<B: Board> Chip<B> {
     /// Whether the clock of a block is on and its reset released; says so if not.
-    #[inline]
+    #[inline(always)]
     pub(super) fn reachable(
         &self,
         memory: &mut Memory,

@@ -113,6 +113,7 @@ impl Block {
 
     /// Register (0 AHB1, 1 AHB2, 2 AHB3, 3 APB1, 4 APB2) and bit of RCC that clock the block; none where it is always
     /// clocked.
+    #[inline]
     pub(crate) fn gate(self) -> Option<(usize, u8)> {
         Some(match self {
             Self::Timer(0) => (4, 0),
@@ -195,10 +196,22 @@ pub(crate) fn spi_bus(spi: u8) -> Apb {
     if spi == 0 { Apb::Two } else { Apb::One }
 }
 
+const DMA_IRQS: [[u8; 8]; 2] = [[11, 12, 13, 14, 15, 16, 17, 47], [56, 57, 58, 59, 60, 68, 69, 70]];
+/// Interrupt lines of a DMA controller, as bits.
+pub(crate) const DMA_LINES: [u128; 2] = [lines(DMA_IRQS[0]), lines(DMA_IRQS[1])];
+
 /// Interrupt of a DMA stream.
 pub(crate) fn dma_irq(controller: usize, stream: usize) -> u8 {
-    const IRQS: [[u8; 8]; 2] = [[11, 12, 13, 14, 15, 16, 17, 47], [56, 57, 58, 59, 60, 68, 69, 70]];
-    IRQS[controller & 1][stream & 7]
+    DMA_IRQS[controller & 1][stream & 7]
+}
+
+const fn lines(irqs: [u8; 8]) -> u128 {
+    let (mut lines, mut stream) = (0, 0);
+    while stream < irqs.len() {
+        lines |= 1 << irqs[stream];
+        stream += 1;
+    }
+    lines
 }
 
 /// Interrupt of a serial port.

@@ -151,7 +151,15 @@ impl<B: Board> Chip<B> {
     }
 
     /// Makes everything up to `now` happen.
+    #[inline]
     fn catch_up(&mut self, memory: &mut Memory, now: Cycle) {
+        if self.events.next() <= now {
+            self.happen_until(memory, now);
+        }
+        self.now = self.now.max(now);
+    }
+
+    fn happen_until(&mut self, memory: &mut Memory, now: Cycle) {
         // Nothing that lies behind a reset happens.
         while self.reset_cause.is_none()
             && let Some((slot, at)) = self.events.pop_due(now)
@@ -159,7 +167,6 @@ impl<B: Board> Chip<B> {
             self.now = self.now.max(at);
             self.happen(memory, slot, at);
         }
-        self.now = self.now.max(now);
     }
 }
 

@@ -12,6 +12,8 @@ pub(super) const CR1_URS: u32 = 1 << 2;
 pub(super) const CR1_OPM: u32 = 1 << 3;
 pub(super) const CR1_ARPE: u32 = 1 << 7;
 pub(super) const DIER_UDE: u32 = 1 << 8;
+/// Interrupts and requests of the channels.
+const DIER_CHANNELS: u32 = 0x1E << 8 | 0x1E;
 
 /// A register whose written value counts from the next update.
 #[derive(Clone, Copy, Debug, Default)]
@@ -221,6 +223,9 @@ impl Timer {
             || self.cr1 & CR1_OPM != 0;
         if update_waited_for || watched && self.emits() {
             due = self.period_end();
+        }
+        if self.dier & DIER_CHANNELS == 0 {
+            return due;
         }
         for channel in 0..self.channels {
             let interrupt = self.dier >> (channel + 1) & 1 != 0 && self.sr >> (channel + 1) & 1 == 0;

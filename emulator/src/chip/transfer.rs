@@ -135,6 +135,7 @@ impl<B: Board> Chip<B> {
     }
 
     /// What asks a controller most urgently: by priority, then by number of the stream.
+    #[inline]
     fn asking(&self, controller: usize) -> Option<(usize, Request)> {
         let dma = &self.dma[controller];
         let mut best: Option<(u32, usize, Request)> = None;

@@ -1,7 +1,10 @@
 //! Loads and stores: memory at once, everything else through slower and slower paths (B3.1, RM0090 section 2.3).
 use crate::{
     bus::{Access, AccessError, Peripherals, Width},
-    core::{Core, Fault, cost::Timing},
+    core::{
+        Core, Fault,
+        cost::{Timing, contention},
+    },
     memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES},
 };
 
@@ -22,6 +25,23 @@ fn store<const N: usize>(bytes: &mut [u8], offset: u32, value: u32) -> Option<()
     Some(())
 }
 
+/// Reads `N` bytes of SRAM; `None` where that is not all SRAM, or not aligned.
+#[inline(always)]
+pub(super) fn load_sram<const N: usize>(memory: &Memory, address: u32) -> Option<u32> {
+    if address & (N as u32 - 1) == 0 {
+        load::<N>(&memory.sram, address.wrapping_sub(SRAM_BASE))
+    } else {
+        None
+    }
+}
+
+/// Writes the low `N` bytes of `value` to SRAM; false, and nothing done, where that is not all SRAM, or not aligned.
+#[inline(always)]
+pub(super) fn store_sram<const N: usize>(memory: &mut Memory, address: u32, value: u32) -> bool {
+    address & (N as u32 - 1) == 0
+        && store::<N>(&mut memory.sram, address.wrapping_sub(SRAM_BASE), value).is_some()
+}
+
 const fn width<const N: usize>() -> Width {
     match N {
         1 => Width::Byte,
@@ -39,13 +59,11 @@ impl Core {
         peripherals: &mut P,
         address: u32,
     ) -> Result<u32, Fault> {
+        if let Some(value) = load_sram::<N>(memory, address) {
+            self.cycle += contention(self.timing == Timing::Pessimistic);
+            return Ok(value);
+        }
         if address & (N as u32 - 1) == 0 {
-            if let Some(value) = load::<N>(&memory.sram, address.wrapping_sub(SRAM_BASE)) {
-                if self.timing == Timing::Pessimistic {
-                    self.cycle += 1;
-                }
-                return Ok(value);
-            }
             let offset = address.wrapping_sub(FLASH_BASE);
             if memory.flash_interface.is_recent(offset)
                 && let Some(value) = load::<N>(&memory.flash, offset)
@@ -65,12 +83,8 @@ impl Core {
         address: u32,
         value: u32,
     ) -> Result<(), Fault> {
-        if address & (N as u32 - 1) == 0
-            && store::<N>(&mut memory.sram, address.wrapping_sub(SRAM_BASE), value).is_some()
-        {
-            if self.timing == Timing::Pessimistic {
-                self.cycle += 1;
-            }
+        if store_sram::<N>(memory, address, value) {
+            self.cycle += contention(self.timing == Timing::Pessimistic);
             return Ok(());
         }
         self.write_slowly::<N, P>(memory, peripherals, address, value)

@@ -16,6 +16,11 @@ pub(crate) const fn refill(pessimistic: bool) -> u64 {
     if pessimistic { 3 } else { 1 }
 }
 
+/// Cycles lost to another bus master at an access to SRAM.
+pub(crate) const fn contention(pessimistic: bool) -> u64 {
+    if pessimistic { 1 } else { 0 }
+}
+
 /// Exception entry and return, tail-chaining (Cortex-M4 TRM 3.9).
 pub(crate) const ENTRY: u64 = 12;
 /// Return pops eight words and refills.

@@ -262,7 +262,8 @@ impl VirtualVehicle {
                 return Ok(());
             }
             // In steps, for a reset makes the clock ten times slower and what is left of them as much longer.
-            match self.machine.run_until(limit.min(self.machine.time() + STEP_CYCLES)) {
+            let limit = limit.min(self.machine.time() + STEP_CYCLES);
+            match emulator::boards::run_until(&mut self.machine, limit) {
                 Stop::ReachedTime => {}
                 stop => return Err(ConnectionError::Board(stop.to_string())),
             }

@@ -12,16 +12,6 @@ use crate::{
 const SIGN: u32 = 0x8000_0000;
 
 impl Core {
-    /// ExecuteFPCheck, where it could do something.
-    #[inline(always)]
-    pub(super) fn ready_float<P: Peripherals>(
-        &mut self,
-        memory: &mut Memory,
-        peripherals: &mut P,
-    ) -> Result<(), Fault> {
-        if self.fp_ready { Ok(()) } else { self.prepare_float(memory, peripherals) }
-    }
-
     #[inline(never)]
     pub(super) fn execute_float(&mut self, op: Op) {
         let s = |n: u8| self.s[usize::from(n & 31)];

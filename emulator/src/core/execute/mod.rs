@@ -8,7 +8,7 @@ mod rare;
 use crate::{
     bus::Peripherals,
     core::{
-        Core, Fault, Sleep, alu,
+        Core, Fault, Sleep, access, alu,
         cost::{self, Timing},
         op::{Op, Size, Slot},
     },
@@ -47,9 +47,13 @@ impl Core {
         peripherals: &mut P,
     ) -> Exit {
         let refill = cost::refill(PESSIMISTIC);
+        let contention = cost::contention(PESSIMISTIC);
         // Out of `self`, so that a slot can be looked at while the core changes; put back below.
         let mut slots = std::mem::take(&mut self.flash_slots);
         let mut pc = self.pc;
+        // As well, so that it stays in a register of the host; what may look at it goes through `outside`. It wraps, for a
+        // check at each step costs more than 2^64 cycles are worth: 3,500 years.
+        let mut cycle = self.cycle;
         let mut executed = 0_u64;
         let mut scratch;
 
@@ -57,6 +61,14 @@ impl Core {
             ($n:expr) => {
                 self.r[($n & 15) as usize]
             };
+        }
+        macro_rules! outside {
+            ($call:expr) => {{
+                self.cycle = cycle;
+                let result = $call;
+                cycle = self.cycle;
+                result
+            }};
         }
         macro_rules! check {
             ($result:expr) => {
@@ -77,7 +89,7 @@ impl Core {
         macro_rules! jump {
             ($target:expr) => {{
                 pc = $target;
-                self.cycle += refill;
+                cycle = cycle.wrapping_add(refill);
                 continue;
             }};
         }
@@ -85,7 +97,7 @@ impl Core {
         macro_rules! exchange {
             ($target:expr) => {{
                 let target: u32 = $target;
-                self.cycle += refill;
+                cycle = cycle.wrapping_add(refill);
                 if target >> 28 == 15 && self.ipsr != 0 {
                     break Exit::ExceptionReturn(target);
                 }
@@ -97,6 +109,14 @@ impl Core {
                 continue;
             }};
         }
+        // ExecuteFPCheck (B1.5.7), where it could do something.
+        macro_rules! ready_float {
+            () => {
+                if !self.fp_ready {
+                    check!(outside!(self.prepare_float(memory, peripherals)));
+                }
+            };
+        }
         macro_rules! branch_if {
             ($condition:expr, $target:expr) => {
                 if $condition {
@@ -104,26 +124,48 @@ impl Core {
                 }
             };
         }
+        // SRAM at once, everything else outside.
+        macro_rules! load {
+            ($bytes:literal, $address:expr) => {{
+                let address: u32 = $address;
+                if let Some(value) = access::load_sram::<$bytes>(memory, address) {
+                    cycle = cycle.wrapping_add(contention);
+                    value
+                } else {
+                    check!(outside!(self.read::<$bytes, P>(memory, peripherals, address)))
+                }
+            }};
+        }
+        macro_rules! store {
+            ($bytes:literal, $address:expr, $value:expr) => {{
+                let (address, value): (u32, u32) = ($address, $value);
+                if access::store_sram::<$bytes>(memory, address, value) {
+                    cycle = cycle.wrapping_add(contention);
+                } else {
+                    check!(outside!(self.write::<$bytes, P>(memory, peripherals, address, value)));
+                }
+            }};
+        }
         // A load takes a second cycle unless it follows another at once.
         macro_rules! read {
             ($bytes:literal, $address:expr) => {{
-                if self.pipelined + 1 != self.cycle {
-                    self.cycle += 1;
+                if self.pipelined.wrapping_add(1) != cycle {
+                    cycle = cycle.wrapping_add(1);
                 }
-                let value = check!(self.read::<$bytes, P>(memory, peripherals, $address));
-                self.pipelined = self.cycle;
+                let value = load!($bytes, $address);
+                self.pipelined = cycle;
                 value
             }};
         }
         macro_rules! write {
             ($bytes:literal, $address:expr, $value:expr) => {{
-                check!(self.write::<$bytes, P>(memory, peripherals, $address, $value));
-                self.pipelined = self.cycle;
+                store!($bytes, $address, $value);
+                self.pipelined = cycle;
             }};
         }
 
         let exit = loop {
-            if self.cycle >= self.deadline {
+            if cycle >= self.deadline {
                 break Exit::Deadline;
             }
             let offset = pc ^ self.flash_alias;
@@ -131,22 +173,26 @@ impl Core {
                 Some(slot) => {
                     if PESSIMISTIC && offset >> 4 != self.fetch_line {
                         self.fetch_line = offset >> 4;
-                        self.cycle += memory.flash_interface.fetch(offset >> 4, self.cycle);
+                        cycle += memory.flash_interface.fetch(offset >> 4, cycle);
                     }
                     slot
                 }
-                None => match self.fetch_from_ram(memory, pc) {
-                    Ok(slot) => {
-                        scratch = slot;
-                        &scratch
+                None => {
+                    std::hint::cold_path();
+                    match outside!(self.fetch_from_ram(memory, pc)) {
+                        Ok(slot) => {
+                            scratch = slot;
+                            &scratch
+                        }
+                        Err(exit) => break exit,
                     }
-                    Err(exit) => break exit,
-                },
+                }
             };
             self.r[15] = pc.wrapping_add(4);
             if self.it != 0 {
+                std::hint::cold_path();
                 if slot.op == Op::Undecoded {
-                    let decoded = self.decode_from_flash(memory, pc, offset);
+                    let decoded = outside!(self.decode_from_flash(memory, pc, offset));
                     if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
                         *slot = decoded;
                     }
@@ -157,8 +203,8 @@ impl Core {
                 let condition = self.it >> 4;
                 self.it = if self.it & 7 == 0 { 0 } else { self.it & 0xE0 | self.it << 1 & 0x1F };
                 if !self.passes(condition) {
-                    executed += 1;
-                    self.cycle += 1;
+                    executed = executed.wrapping_add(1);
+                    cycle = cycle.wrapping_add(1);
                     pc = pc.wrapping_add(u32::from(slot.len));
                     continue;
                 }
@@ -167,12 +213,12 @@ impl Core {
                     slot = &scratch;
                 }
             }
-            executed += 1;
-            self.cycle += u64::from(slot.cost);
+            executed = executed.wrapping_add(1);
+            cycle = cycle.wrapping_add(u64::from(slot.cost));
             match slot.op {
                 Op::Undecoded => {
-                    executed -= 1;
-                    let decoded = self.decode_from_flash(memory, pc, offset);
+                    executed = executed.wrapping_sub(1);
+                    let decoded = outside!(self.decode_from_flash(memory, pc, offset));
                     if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
                         *slot = decoded;
                     }
@@ -320,7 +366,7 @@ impl Core {
                 Op::Blx { rm } => {
                     let target = r!(rm);
                     r!(14) = pc.wrapping_add(2) | 1;
-                    self.cycle += refill;
+                    cycle = cycle.wrapping_add(refill);
                     pc = target & !1;
                     if target & 1 == 0 {
                         self.thumb = false;
@@ -356,47 +402,54 @@ impl Core {
                     write!(4, r!(rn).wrapping_add(r!(rm) << (n & 3)), r!(rt));
                 }
                 Op::Load { .. } | Op::LoadReg { .. } | Op::LoadLit { .. } => {
-                    if self.pipelined + 1 != self.cycle {
-                        self.cycle += 1;
+                    if self.pipelined.wrapping_add(1) != cycle {
+                        cycle = cycle.wrapping_add(1);
                     }
-                    let loaded = check!(self.load(memory, peripherals, slot.op));
-                    self.pipelined = self.cycle;
+                    let loaded = check!(outside!(self.load(memory, peripherals, slot.op)));
+                    self.pipelined = cycle;
                     if let Some(target) = loaded {
                         exchange!(target);
                     }
                 }
                 Op::Store { size, rt, rn, imm, index } => {
                     let (address, base) = self.index(rn, imm, index);
-                    check!(self.store(memory, peripherals, size, address, r!(rt)));
+                    check!(outside!(self.store(memory, peripherals, size, address, r!(rt))));
                     r!(rn) = base;
                 }
                 Op::StoreReg { size, rt, rn, rm, n } => {
                     let address = r!(rn).wrapping_add(r!(rm) << (n & 3));
-                    check!(self.store(memory, peripherals, size, address, r!(rt)));
-                    self.pipelined = self.cycle;
+                    check!(outside!(self.store(memory, peripherals, size, address, r!(rt))));
+                    self.pipelined = cycle;
                 }
-                Op::Push { list } => check!(self.push(memory, peripherals, list)),
+                Op::Push { list } => check!(outside!(self.push(memory, peripherals, list))),
                 Op::Pop { list } => {
-                    if let Some(target) = check!(self.pop(memory, peripherals, list)) {
+                    if let Some(target) = check!(outside!(self.pop(memory, peripherals, list))) {
                         exchange!(target);
                     }
                 }
                 Op::Ldm { rn, list, before, writeback } => {
-                    let loaded = check!(self.load_multiple(memory, peripherals, rn, list, before, writeback));
+                    let loaded = check!(outside!(self.load_multiple(
+                        memory,
+                        peripherals,
+                        rn,
+                        list,
+                        before,
+                        writeback
+                    )));
                     if let Some(target) = loaded {
                         exchange!(target);
                     }
                 }
                 Op::Stm { rn, list, before, writeback } => {
-                    check!(self.store_multiple(memory, peripherals, rn, list, before, writeback));
+                    check!(outside!(self.store_multiple(memory, peripherals, rn, list, before, writeback)));
                 }
                 Op::Ldrd { rt, rt2, rn, imm, index } => {
                     let (address, base) = self.index(rn, imm, index);
                     if address & 3 != 0 {
                         break Exit::Fault(Fault::Unaligned);
                     }
-                    let low = check!(self.read::<4, P>(memory, peripherals, address));
-                    let high = check!(self.read::<4, P>(memory, peripherals, address.wrapping_add(4)));
+                    let low = load!(4, address);
+                    let high = load!(4, address.wrapping_add(4));
                     if rn != 15 {
                         r!(rn) = base;
                     }
@@ -407,8 +460,8 @@ impl Core {
                     if address & 3 != 0 {
                         break Exit::Fault(Fault::Unaligned);
                     }
-                    check!(self.write::<4, P>(memory, peripherals, address, r!(rt)));
-                    check!(self.write::<4, P>(memory, peripherals, address.wrapping_add(4), r!(rt2)));
+                    store!(4, address, r!(rt));
+                    store!(4, address.wrapping_add(4), r!(rt2));
                     r!(rn) = base;
                 }
 
@@ -432,20 +485,20 @@ impl Core {
                 }
 
                 Op::Vldr { d, double, rn, imm } => {
-                    check!(self.ready_float(memory, peripherals));
-                    check!(self.load_float(memory, peripherals, d, double, rn, imm));
+                    ready_float!();
+                    check!(outside!(self.load_float(memory, peripherals, d, double, rn, imm)));
                 }
                 Op::Vstr { d, double, rn, imm } => {
-                    check!(self.ready_float(memory, peripherals));
-                    check!(self.store_float(memory, peripherals, d, double, rn, imm));
+                    ready_float!();
+                    check!(outside!(self.store_float(memory, peripherals, d, double, rn, imm)));
                 }
                 Op::Vldm { rn, d, count, before, writeback } => {
-                    check!(self.ready_float(memory, peripherals));
-                    check!(self.load_floats(memory, peripherals, rn, d, count, before, writeback));
+                    ready_float!();
+                    check!(outside!(self.load_floats(memory, peripherals, rn, d, count, before, writeback)));
                 }
                 Op::Vstm { rn, d, count, before, writeback } => {
-                    check!(self.ready_float(memory, peripherals));
-                    check!(self.store_floats(memory, peripherals, rn, d, count, before, writeback));
+                    ready_float!();
+                    check!(outside!(self.store_floats(memory, peripherals, rn, d, count, before, writeback)));
                 }
                 Op::Vadd { .. }
                 | Op::Vsub { .. }
@@ -460,18 +513,24 @@ impl Core {
                 | Op::VmovPair { .. }
                 | Op::Vmrs { .. }
                 | Op::Vmsr { .. } => {
-                    check!(self.ready_float(memory, peripherals));
+                    ready_float!();
                     self.execute_float(slot.op);
                 }
-                op => match self.execute_rare::<P, PESSIMISTIC>(memory, peripherals, op) {
+                op => match outside!(self.execute_rare::<P, PESSIMISTIC>(memory, peripherals, op)) {
                     Ok(true) => {}
                     Ok(false) => break Exit::Unimplemented,
                     Err(fault) => break Exit::Fault(fault),
                 },
             }
-            pc = pc.wrapping_add(u32::from(slot.len));
+            // A branch, which the host predicts, and no sum, for which the next instruction would wait.
+            pc = if slot.len == 2 {
+                pc.wrapping_add(2)
+            } else {
+                std::hint::cold_path();
+                pc.wrapping_add(4)
+            };
         };
-        self.pc = pc;
+        (self.pc, self.cycle) = (pc, cycle);
         self.counters.instructions += executed;
         if std::mem::take(&mut self.alias_changed) {
             std::mem::swap(&mut slots, &mut self.other_slots);
