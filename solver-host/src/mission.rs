@@ -1,7 +1,11 @@
 //! From a request to a flown maneuver: solve, pack, check the room, fly, compare with truth.
 
+mod plan_frame;
+
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+
+pub use plan_frame::PlanFrame;
 
 use emulator::core::Timing;
 use mintime_firmware::config::VehicleConfig;

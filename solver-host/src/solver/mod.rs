@@ -56,7 +56,7 @@ pub use request::{
 };
 pub use sensitivity::Sensitivities;
 pub use structure::MAX_SEGMENTS;
-pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, verify};
+pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, Tolerances, verify};
 pub use windings::{solve_all_windings, solve_all_windings_cancellable};
 
 use newton::Newton;
