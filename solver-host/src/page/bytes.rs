@@ -28,14 +28,15 @@ pub struct TableField {
     pub value: String,
     /// What it is for.
     pub meaning: &'static str,
-    /// Fields that belong together have one colour: 0..[`GROUPS`].
+    /// Fields that belong together have one colour: index into their names, 0..8.
     pub group: usize,
 }
 
-/// Colours of fields.
-pub(super) const GROUPS: usize = 8;
+/// What the fields of each group are about.
+pub(super) const GROUPS: [&str; 8] =
+    ["whose", "kind", "limits and plane", "start", "end", "singular arcs", "segments", "checksum"];
 
-/// Number the groups.
+/// Indices into [`GROUPS`].
 mod group {
     pub(super) const NAMES: usize = 0;
     pub(super) const KIND: usize = 1;

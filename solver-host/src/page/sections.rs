@@ -148,11 +148,15 @@ fn bytes(html: &mut Html, page: &Page) {
     for (i, field) in table.fields.iter().enumerate() {
         let hex = |at: usize| table.hex.get(2 * at..2 * at + 2).unwrap_or_default();
         for at in field.offset..field.offset + field.length {
-            let group = field.group % GROUPS;
+            let group = field.group;
             html.element(&format!("span class=\"byte g{group}\" data-field=\"{i}\""), hex(at));
         }
     }
-    html.raw("</div><p id=\"field\" class=\"field\" aria-live=\"polite\">Point at a byte, or at a row, to see what it is.</p>");
+    html.raw("</div><p class=\"legend\">");
+    for (i, name) in GROUPS.iter().enumerate() {
+        html.element(&format!("span class=\"key area c-g{i}\""), name);
+    }
+    html.raw("</p><p id=\"field\" class=\"field\" aria-live=\"polite\">Point at a byte, or at a row, to see what it is.</p>");
     html.raw("<details><summary>").raw(format_args!("All {} fields", table.fields.len())).raw("</summary>");
     html.raw("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Fields of the table\"><table class=\"fields\">");
     html.heads(&["at", "bytes", "field", "value", "meaning"]).raw("<tbody>");
@@ -160,7 +164,7 @@ fn bytes(html: &mut Html, page: &Page) {
         let hex = table.hex.get(2 * field.offset..2 * (field.offset + field.length)).unwrap_or_default();
         html.raw(format_args!("<tr data-field=\"{i}\">"));
         html.element("td class=\"number\"", &field.offset.to_string());
-        html.raw(format_args!("<td><code class=\"g{}\">{}</code></td>", field.group % GROUPS, escape(hex)));
+        html.raw(format_args!("<td><code class=\"g{}\">{}</code></td>", field.group, escape(hex)));
         html.element("th scope=\"row\"", &field.name);
         html.element("td", &field.value).element("td", field.meaning).raw("</tr>");
     }

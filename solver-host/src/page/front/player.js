@@ -107,7 +107,7 @@ class Player {
   play() {
     if (this.t >= this.view.to - 1e-6 || this.t < this.view.from) this.t = this.view.from;
     this.playing = true;
-    this.button("⏸", "Pause");
+    this.button(true);
     let last = null;
     const frame = (now) => {
       if (!this.playing) return;
@@ -124,14 +124,13 @@ class Player {
 
   pause() {
     this.playing = false;
-    this.button("▶", "Play");
+    this.button(false);
   }
 
-  button(sign, label) {
+  button(plays) {
     const play = this.byId("play");
-    // The sign as text, not as a coloured picture.
-    play.textContent = `${sign}\uFE0E`;
-    play.setAttribute("aria-label", label);
+    play.classList.toggle("playing", plays);
+    play.setAttribute("aria-label", plays ? "Pause" : "Play");
   }
 }
 

@@ -16,8 +16,8 @@ class Scene {
     this.ghost = this.vehicle("plan");
     this.arrow = svg("path", { class: "thrust" }, area);
     this.flown = this.vehicle("flown");
-    for (const [kind, label] of [["plan", "planned path"], ["ghost c-ghost", "planned vehicle"], ["flown", `flown (${FLOWN})`], ["command", "thrust"]]) {
-      html("span", { class: `key c-${kind}${kind.startsWith("ghost") ? " ghost" : ""}` }, label, legend);
+    for (const [kind, label] of [["plan", "planned path"], ["ghost", "planned vehicle"], ["flown", `flown (${FLOWN})`], ["command", "thrust"]]) {
+      html("span", { class: `key c-${kind}` }, label, legend);
     }
     [this.width, this.height] = [0, 0];
   }
@@ -79,7 +79,7 @@ class Scene {
     for (const { value, label } of lines(this.centre.x, halfWidth)) {
       const x = this.x(value);
       svg("line", { class: "grid", x1: x, x2: x, y1: 0, y2: this.height }, this.back);
-      if (x > 26 && x < this.width - 34) svg("text", { x, y: this.height - 5, "text-anchor": "middle" }, this.back).textContent = label;
+      if (x > 26 && x < this.width - 52) svg("text", { x, y: this.height - 5, "text-anchor": "middle" }, this.back).textContent = label;
     }
     for (const { value, label } of lines(this.centre.z, halfHeight)) {
       const y = this.z(value);

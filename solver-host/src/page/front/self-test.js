@@ -72,6 +72,11 @@ function selfTest({ plots, player, scene }) {
     check(document.getElementById("field").textContent.includes(page.table.fields[i].value), `field ${i} is not explained`);
   }
 
+  // The learning curve, where there is one.
+  const drawn = [...document.querySelectorAll("#learning-plots path")].map((p) => p.getAttribute("d"));
+  check(!page.learning || drawn.length > 1, "the learning curve is not drawn");
+  check(drawn.every((d) => !d.includes("NaN")), "the learning curve has holes in its numbers");
+
   // Light and dark differ.
   const colour = () => getComputedStyle(document.body).backgroundColor;
   const was = colour();

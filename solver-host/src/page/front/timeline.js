@@ -57,9 +57,10 @@ class Timeline {
 /** Rows and lines that name a time lead there. */
 function linkTimes(control) {
   for (const place of document.querySelectorAll("[data-t]")) {
-    const go = () => control.visit(Number(place.dataset.t));
-    place.tabIndex = 0;
-    place.addEventListener("click", go);
-    place.addEventListener("keydown", (event) => { if (event.key === "Enter") go(); });
+    const time = place.querySelector("time, td.number");
+    const text = time.textContent;
+    time.textContent = "";
+    html("button", { type: "button", class: "goto", "aria-label": `Go to ${text}` }, text, time);
+    place.addEventListener("click", () => control.visit(Number(place.dataset.t)));
   }
 }
