@@ -169,6 +169,24 @@ pub enum HistoryError {
 }
 
 impl History {
+    /// One in which nothing has been flown.
+    pub fn of(maneuver: &str, vehicle: &str, seed: Option<u64>) -> Self {
+        Self {
+            maneuver: maneuver.to_owned(),
+            vehicle: vehicle.to_owned(),
+            seed,
+            identified: None,
+            planned_duration_s: 0.0,
+            learned_duration_s: 0.0,
+            optimum_duration_s: 0.0,
+            converged: false,
+            reason: None,
+            flights: Vec::new(),
+            best: None,
+            repeats: Vec::new(),
+        }
+    }
+
     /// Writes the history and the best table into a folder, each as a whole: whatever fails, the old file stays.
     ///
     /// # Errors
