@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 
 use super::correction::{CorrectionError, correct};
 use super::history::{FlightEntry, History, StateError};
+use super::model::Response;
 use super::observation::{Observed, effect_of_start};
 use super::parameters::Parameters;
 use super::plan::LearningPlan;
@@ -65,13 +66,8 @@ pub trait Flyer {
 
 /// Told of a campaign as it goes.
 pub trait Observer {
-    /// What refuses to go on, for one.
-    type Error;
-    /// A flight is over. `table` is the best so far.
-    ///
-    /// # Errors
-    /// Whatever makes it pointless to fly on.
-    fn flown(&mut self, history: &History, table: &ManeuverTable) -> Result<(), Self::Error>;
+    /// A flight is over, or learning has ended. `table` is the best so far.
+    fn flown(&mut self, history: &History, table: &ManeuverTable);
 }
 
 /// How much to fly.
@@ -131,9 +127,15 @@ pub struct Learned {
     pub stop: StopReason,
 }
 
+/// Up to this error the end moves with the parameters in a straight line, nearly, in tolerances.
+const STRAIGHT: f64 = 3.0;
+/// An error that says something of drag, in tolerances.
+const DRAG_SHOWS: f64 = 3.0;
+
 /// One try: parameters, and the way to the next ones.
 struct Learner<'a> {
     plan: &'a LearningPlan,
+    response: Response,
     parameters: Parameters,
     jacobian: DMatrix<f64>,
     best: Option<Best>,
@@ -151,60 +153,67 @@ struct Best {
     flight: usize,
 }
 
-/// Learns a maneuver. The history tells what to call it; its plan's numbers, flights and repeats are filled in.
-///
-/// # Errors
-/// Those of the observer. Whatever else happens is a [`StopReason`].
-pub fn learn<O: Observer>(
+/// Learns a maneuver. The history tells what to call it; its plan's numbers, flights and repeats are filled in. Whatever
+/// happens on the way is a [`StopReason`].
+pub fn learn(
     plan: &LearningPlan,
     mut history: History,
     budget: Budget,
     flyer: &mut impl Flyer,
-    observer: &mut O,
-) -> Result<Learned, O::Error> {
+    observer: &mut impl Observer,
+) -> Learned {
     history.planned_duration_s = plan.planned_duration_s;
     history.optimum_duration_s = plan.optimum_duration_s;
     history.learned_duration_s = f64::from(plan.table.duration_s());
     let parameters = Parameters::of(&plan.table);
     let jacobian = plan.response.linearised(&plan.table, &parameters).1;
-    let mut learner =
-        Learner { plan, parameters, jacobian, best: None, last: None, within: 0, stalled: 0, trust: 1.0 };
-    let stop = learner.teach(&mut history, budget.flights, flyer, observer)?;
+    let mut learner = Learner {
+        plan,
+        response: plan.response,
+        parameters,
+        jacobian,
+        best: None,
+        last: None,
+        within: 0,
+        stalled: 0,
+        trust: 1.0,
+    };
+    let stop = learner.teach(&mut history, budget.flights, flyer, observer);
     let table = learner.best.map_or_else(|| plan.table.clone(), |best| best.table);
     history.converged = stop == StopReason::Converged;
     history.reason = Some(stop.to_string());
-    observer.flown(&history, &table)?;
+    observer.flown(&history, &table);
     if !matches!(stop, StopReason::Lost(_)) && history.best.is_some() {
         for repeat in 1..=budget.repeats {
             let number = history.flights.len() as u32 + repeat;
             let flown = flyer.fly(&table, number);
             let lost = matches!(flown, Err(FlightFailure::Lost { .. }));
-            history.repeats.push(entry(&table, &flown, false));
-            observer.flown(&history, &table)?;
+            history.repeats.push(entry(&table, &flown));
+            observer.flown(&history, &table);
             if lost {
                 break;
             }
         }
     }
-    Ok(Learned { history, table, stop })
+    Learned { history, table, stop }
 }
 
 impl Learner<'_> {
-    fn teach<O: Observer>(
+    fn teach(
         &mut self,
         history: &mut History,
         flights: u32,
         flyer: &mut impl Flyer,
-        observer: &mut O,
-    ) -> Result<StopReason, O::Error> {
+        observer: &mut impl Observer,
+    ) -> StopReason {
         let mut failed = 0;
         for number in 1..=flights {
             let table = match self.parameters.into_table(&self.plan.table) {
                 Ok(table) => table,
-                Err(error) => return Ok(StopReason::Table(error)),
+                Err(error) => return StopReason::Table(error),
             };
             let flown = flyer.fly(&table, number);
-            let stop = match &flown {
+            let mut stop = match &flown {
                 Ok(flown) => {
                     failed = 0;
                     let error = systematic(flown, &table);
@@ -219,8 +228,7 @@ impl Learner<'_> {
                     (failed >= FAILED_FLIGHTS).then(|| StopReason::Broken(reason.clone()))
                 }
             };
-            history.flights.push(entry(&table, &flown, false));
-            let mut stop = stop;
+            history.flights.push(entry(&table, &flown));
             if stop.is_none() && flown.is_ok() && number < flights {
                 let relinearised = self.linearise(history);
                 if let Some(entry) = history.flights.last_mut() {
@@ -233,13 +241,13 @@ impl Learner<'_> {
                 history.learned_duration_s = f64::from(best.table.duration_s());
             }
             let kept = self.best.as_ref().map_or(&self.plan.table, |best| &best.table);
-            observer.flown(history, kept)?;
+            observer.flown(history, kept);
             if let Some(stop) = stop {
-                return Ok(stop);
+                return stop;
             }
         }
         let best = self.best.as_ref().map_or(f64::INFINITY, |best| best.error.in_tolerances());
-        Ok(StopReason::FlightsUsedUp { best })
+        StopReason::FlightsUsedUp { best }
     }
 
     /// Takes the end of a flight into account. `Some` where that ends the campaign.
@@ -259,11 +267,17 @@ impl Learner<'_> {
         (self.stalled >= STALLED_FLIGHTS).then_some(StopReason::NotConverging { best })
     }
 
-    /// Computes the Jacobian afresh where the last correction did not halve the error. Whether it did.
+    /// Computes the Jacobian afresh where the last correction did not halve the error, where the error is so large that the
+    /// maneuver bends on the way, and where the first flight has said what drag there is. Whether it did.
     fn linearise(&mut self, history: &History) -> bool {
         let Some(error) = history.flights.last().and_then(|f| f.systematic_error) else { return false };
         let far = error.in_tolerances();
-        let halved = self.last.is_none_or(|last| far <= 0.5 * last || far <= 1.0);
+        let first = self.response == self.plan.response && far > DRAG_SHOWS;
+        if first {
+            self.response = self.response.with_drag_of(&self.plan.table, &self.parameters, &error);
+        }
+        let halved = self.last.is_none_or(|last| far <= 0.5 * last);
+        let fresh = first || far > STRAIGHT || (!halved && far > 1.0);
         self.last = Some(far);
         if let Some(best) = &self.best
             && far > TOO_FAR * best.error.in_tolerances().max(1.0)
@@ -271,10 +285,10 @@ impl Learner<'_> {
             self.trust *= 0.5;
             self.parameters = best.parameters.clone();
         }
-        if halved {
+        if !fresh {
             return false;
         }
-        self.jacobian = self.plan.response.linearised(&self.plan.table, &self.parameters).1;
+        self.jacobian = self.response.linearised(&self.plan.table, &self.parameters).1;
         true
     }
 
@@ -308,7 +322,7 @@ fn systematic(flown: &Flown, table: &ManeuverTable) -> StateError {
     flown.observed.final_error.minus(&effect_of_start(&flown.observed.start_error, table))
 }
 
-fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>, relinearised: bool) -> FlightEntry {
+fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightEntry {
     let seen = flown.as_ref().ok();
     let (outcome, reason) = match flown {
         Ok(flown) => (flown.outcome, None),
@@ -326,7 +340,7 @@ fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>, relinearis
         final_error: seen.map(|f| f.observed.final_error),
         systematic_error: seen.map(|f| systematic(f, table)),
         true_final_error: seen.and_then(|f| f.true_final_error),
-        relinearised,
+        relinearised: false,
         table: buffer[..length].iter().map(|byte| format!("{byte:02x}")).collect(),
     }
 }

@@ -220,6 +220,30 @@ pub fn check_folder(folder: &Path) -> Result<(), HistoryError> {
     Ok(crate::flight_log::check_writable(&folder.join(TABLE_FILE))?)
 }
 
+/// Gives an earlier history in a folder another name, with its table: a campaign replaces nobody's work.
+///
+/// # Errors
+/// [`HistoryError`].
+pub fn keep_old(folder: &Path) -> Result<(), HistoryError> {
+    let named = |stem: &str, number: u32, ending: &str| folder.join(format!("{stem}-{number}.{ending}"));
+    if !folder.join(HISTORY_FILE).exists() {
+        return Ok(());
+    }
+    let Some(number) = (1..=u32::MAX).find(|n| !named("history", *n, "json").exists()) else {
+        return Ok(());
+    };
+    for (from, to) in [
+        (folder.join(HISTORY_FILE), named("history", number, "json")),
+        (folder.join(TABLE_FILE), named("best", number, "table")),
+    ] {
+        if from.exists() {
+            let failed = |source| OutputError::Interrupted { path: to.clone(), source };
+            std::fs::rename(&from, &to).map_err(failed)?;
+        }
+    }
+    Ok(())
+}
+
 fn make_folder(folder: &Path) -> Result<(), HistoryError> {
     std::fs::create_dir_all(folder)
         .map_err(|source| HistoryError::Folder { folder: folder.to_owned(), source })

@@ -16,6 +16,8 @@ use mintime_shared::table::ManeuverTable;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
+use super::correction::weights;
+use super::history::StateError;
 use super::parameters::{MAX_PARAMETERS, Parameters};
 use crate::solver::Dual;
 
@@ -23,6 +25,11 @@ use crate::solver::Dual;
 const STEP_S: f64 = 1.0e-3;
 /// A lag below this is none, s: the step would have to be shorter.
 const NO_LAG_S: f64 = 1.0e-3;
+
+/// Largest drag that is believed, 1/s: four times that of a racing quadrotor.
+const DRAG_MAX_PER_S: f64 = 2.0;
+/// How finely it is looked for, 1/s.
+const DRAG_RESOLUTION_PER_S: f64 = 1.0e-3;
 
 /// How a vehicle answers its commands.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -65,6 +72,26 @@ impl Response {
         let end = self.integrate(table, &durations, (width, peak));
         let jacobian = DMatrix::from_fn(5, parameters.count(), |i, j| end[i].grad[j]);
         (State::from_array(end.map(|v| v.value)), jacobian)
+    }
+
+    /// The same vehicle with the drag that explains an error at the end best: the least weighted square of what is left of it.
+    #[must_use]
+    pub fn with_drag_of(&self, table: &ManeuverTable, parameters: &Parameters, error: &StateError) -> Self {
+        let weights = weights();
+        let (target, seen) = (table.end.cast::<f64>(), error.to_array());
+        let dragged = |drag_per_s: f64| Self { drag_per_s, ..*self };
+        let left = |drag_per_s: f64| {
+            let miss = dragged(drag_per_s).end(table, parameters).minus(target).to_array();
+            (0..5).map(|i| (weights[i] * (seen[i] - miss[i])).powi(2)).sum::<f64>()
+        };
+        // Golden section.
+        let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let (mut low, mut high) = (0.0, DRAG_MAX_PER_S);
+        while high - low > DRAG_RESOLUTION_PER_S {
+            let (a, b) = (high - part * (high - low), low + part * (high - low));
+            if left(a) < left(b) { high = b } else { low = a }
+        }
+        dragged(0.5 * (low + high))
     }
 
     fn integrate<T: Real>(&self, table: &ManeuverTable, durations_s: &[T], arc: (T, T)) -> [T; 5] {

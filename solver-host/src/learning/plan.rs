@@ -59,7 +59,8 @@ pub enum Target {
         /// Heading, rad.
         heading_rad: f64,
     },
-    /// A table. Its segments are flown as they are, with the durations that the vehicle needs.
+    /// A table. Its segments are flown as they are, with the durations that the vehicle needs; one that was learned before is
+    /// learned on.
     Table(ManeuverTable),
 }
 
@@ -103,6 +104,11 @@ pub enum PlanError {
         /// True thrust per mass that may be planned with, m/s².
         available_mps2: f64,
     },
+    /// The table starts in motion or tilted: nobody can hover there.
+    #[error(
+        "the maneuver does not start at rest and level, so it cannot be flown from a hover: make one that does"
+    )]
+    NotFromRest,
     /// The model finds no durations.
     #[error(
         "even the model of this vehicle does not reach the end ({left:.1} tolerances are left): plan with lower limits or a shorter \
@@ -136,13 +142,20 @@ pub fn plan(
         }
         Target::Table(table) => {
             let limits = table.limits.cast();
-            let (from, to) = (table.start.cast(), table.end.cast());
+            let (from, to): (State<f64>, State<f64>) = (table.start.cast(), table.end.cast());
+            if (from.vx, from.vz, from.theta) != (0.0, 0.0, 0.0) {
+                return Err(PlanError::NotFromRest);
+            }
+            // Given thrusts are commands: the vehicle makes more or less of them.
+            let limits = scaled(limits, found.thrust_scale);
             let request = Request { from, to, limits, turns: Turns::Exactly(0) };
             (table.clone(), solve(&request)?.extremal.duration_s())
         }
     };
     let planned_duration_s = f64::from(table.duration_s());
-    let table = rehearse(&table, &response)?;
+    // One that was learned in flight knows better than the model.
+    let learned = matches!(target, Target::Table(table) if table.kind == Kind::Learned);
+    let table = if learned { table } else { rehearse(&table, &response)? };
     table.check_for(config.hash(), &config.plan_limits())?;
     Ok(LearningPlan { table, response, planned_duration_s, optimum_duration_s })
 }
@@ -181,12 +194,7 @@ fn within_vehicle(
 
 /// The same table with thrusts that make the planned ones on a vehicle of another thrust scale.
 fn commanded(table: &ManeuverTable, scale: f64) -> Result<ManeuverTable, TableError> {
-    let scale = scale as f32;
-    let limits = Limits {
-        thrust_min_mps2: table.limits.thrust_min_mps2 / scale,
-        thrust_max_mps2: table.limits.thrust_max_mps2 / scale,
-        ..table.limits
-    };
+    let limits = scaled(table.limits.cast(), 1.0 / scale).cast();
     let header = TableHeader {
         vehicle: table.vehicle,
         kind: Kind::Learned,
@@ -197,6 +205,14 @@ fn commanded(table: &ManeuverTable, scale: f64) -> Result<ManeuverTable, TableEr
         end: table.end,
     };
     ManeuverTable::new(header, table.arcs, table.segments())
+}
+
+fn scaled(limits: Limits<f64>, by: f64) -> Limits<f64> {
+    Limits {
+        thrust_min_mps2: limits.thrust_min_mps2 * by,
+        thrust_max_mps2: limits.thrust_max_mps2 * by,
+        ..limits
+    }
 }
 
 /// Learns on the model: the table that arrives there.

@@ -1,6 +1,5 @@
 //! How well learning works: many simulated vehicles, the maneuvers of the paper, and plain policy gradient beside it.
 
-use std::convert::Infallible;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -11,9 +10,9 @@ use mintime_simulator::VehicleParameters;
 use serde::Serialize;
 
 use super::campaign::{Budget, Flyer, Learned, Observer, learn};
-use super::gradient::{GradientResult, policy_gradient};
 use super::history::{ANGLE_TOLERANCE_RAD, FlightEntry, History, StateError};
 use super::model::Response;
+use super::plain::{Rule, RuleResult, learn_plainly};
 use super::plan::{Target, plan};
 use super::simulated::{SimulatedFlyer, SimulatedVehicle, Unseen};
 use crate::mission::{PlantChoice, VehicleChoice};
@@ -39,7 +38,7 @@ pub struct StatisticsPlan {
     pub budget: Budget,
     /// Flights of one table, to see what scatters; 0 for none.
     pub scatter: u32,
-    /// Flights of plain policy gradient, at most; 0 for none.
+    /// Flights of each plain rule, at most; 0 for none.
     pub gradient_flights: u32,
     /// Campaigns that run at the same time.
     pub threads: u32,
@@ -65,7 +64,9 @@ pub struct Case {
     /// Root of the mean square, about their mean, of distance (m), speed (m/s) and angle (rad) at the end of identical flights.
     pub scatter: Option<[f64; 3]>,
     /// The same maneuver by plain policy gradient.
-    pub gradient: Option<GradientResult>,
+    pub gradient: Option<RuleResult>,
+    /// The same by steps of a fixed inverse.
+    pub inverse: Option<RuleResult>,
 }
 
 impl Case {
@@ -148,11 +149,12 @@ fn of_vehicle(plan: &StatisticsPlan, index: u32, seen: &impl Fn(&Case)) -> Vec<C
                 success: false,
                 scatter: None,
                 gradient: None,
+                inverse: None,
             };
             match &found {
                 Ok(found) => {
                     vehicle.response = Response::identified(found);
-                    learn_one(plan, &vehicle, target(*maneuver), found, &mut case);
+                    learn_one(plan, &vehicle, &target(*maneuver), found, &mut case);
                 }
                 Err(error) => case.reason = error.to_string(),
             }
@@ -165,11 +167,11 @@ fn of_vehicle(plan: &StatisticsPlan, index: u32, seen: &impl Fn(&Case)) -> Vec<C
 fn learn_one(
     statistics: &StatisticsPlan,
     vehicle: &SimulatedVehicle,
-    target: Target,
+    target: &Target,
     found: &super::history::IdentifiedResponse,
     case: &mut Case,
 ) {
-    let plan = match plan(&target, &VehicleConfig::REFERENCE, found) {
+    let plan = match plan(target, &VehicleConfig::REFERENCE, found) {
         Ok(plan) => plan,
         Err(error) => {
             case.reason = error.to_string();
@@ -180,16 +182,17 @@ fn learn_one(
     let mut flyer = SimulatedFlyer { vehicle, witness: &mut unseen };
     let mut history = History::of(&case.maneuver, vehicle.choice.name(), Some(vehicle.seed));
     history.identified = Some(*found);
-    let Ok(Learned { history, table, stop }) =
-        learn(&plan, history, statistics.budget, &mut flyer, &mut Silent);
+    let Learned { history, table, stop } = learn(&plan, history, statistics.budget, &mut flyer, &mut Silent);
     case.reason = stop.to_string();
     case.mean = mean(&history.repeats);
-    let good = case.mean.is_some_and(|m| within(m)) && history.converged;
+    let good = case.mean.is_some_and(within) && history.converged;
     case.history = Some(history);
     case.success = good && case.duration_ratio().is_some_and(|r| r <= DURATION_MAX);
     case.scatter = scatter(&table, statistics.scatter, &mut flyer);
     if statistics.gradient_flights > 0 {
-        case.gradient = policy_gradient(&target, &mut flyer, statistics.gradient_flights).ok();
+        let flights = statistics.gradient_flights;
+        case.gradient = learn_plainly(Rule::PolicyGradient, target, &mut flyer, flights).ok();
+        case.inverse = learn_plainly(Rule::FixedInverse, target, &mut flyer, flights).ok();
     }
 }
 
@@ -235,8 +238,5 @@ fn scatter(table: &ManeuverTable, flights: u32, flyer: &mut impl Flyer) -> Optio
 struct Silent;
 
 impl Observer for Silent {
-    type Error = Infallible;
-    fn flown(&mut self, _: &History, _: &ManeuverTable) -> Result<(), Infallible> {
-        Ok(())
-    }
+    fn flown(&mut self, _: &History, _: &ManeuverTable) {}
 }
