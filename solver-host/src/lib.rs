@@ -19,6 +19,8 @@ pub mod flight_log;
 #[cfg(feature = "std")]
 pub mod identification;
 #[cfg(feature = "std")]
+pub mod learning;
+#[cfg(feature = "std")]
 pub mod mission;
 #[cfg(feature = "std")]
 pub mod motion_capture;

@@ -92,10 +92,21 @@ enum OnLinkLoss {
 
 /// What can fly.
 #[derive(Clone, PartialEq, Eq)]
-enum VehicleKind {
+pub(crate) enum VehicleKind {
     Virtual,
     Hosted,
     Port(String),
+}
+
+impl VehicleKind {
+    /// As it was given.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Virtual => "virtual",
+            Self::Hosted => "hosted",
+            Self::Port(port) => port,
+        }
+    }
 }
 
 impl From<&str> for VehicleKind {

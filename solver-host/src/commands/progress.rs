@@ -35,6 +35,16 @@ impl Progress {
         self.say(text);
     }
 
+    /// Says something that stays, above the line that changes.
+    pub(crate) fn line(&self, text: &str) {
+        self.voice().line(text);
+    }
+
+    /// Somebody else who may do so.
+    pub(crate) fn voice(&self) -> Voice {
+        Voice(self.line.clone())
+    }
+
     pub(crate) fn finish(&self) {
         self.line.finish_and_clear();
     }
@@ -42,6 +52,20 @@ impl Progress {
     fn note(&mut self, now_s: f64, text: &str) {
         let time_ns = (now_s * 1e9).round() as u64;
         self.events.push(LogEvent { time_ns, text: text.to_owned(), level: EventLevel::Info });
+    }
+}
+
+/// Says things that stay, above the progress line where there is one.
+#[derive(Clone)]
+pub(crate) struct Voice(ProgressBar);
+
+impl Voice {
+    pub(crate) fn line(&self, text: &str) {
+        if self.0.is_hidden() {
+            eprintln!("mintime: {text}");
+        } else {
+            self.0.println(text);
+        }
     }
 }
 

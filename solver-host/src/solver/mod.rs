@@ -49,6 +49,8 @@ mod windings;
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
+#[cfg(feature = "std")]
+pub(crate) use dual::Dual;
 pub use extremal::Extremal;
 pub use request::{
     ANGLE_MAX_RAD, Alternative, LONGEST_RAD, MAX_ALTERNATIVES, MOST_TURNS, Request, Solution, SolveError,
