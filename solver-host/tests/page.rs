@@ -98,6 +98,41 @@ fn the_page_says_what_was_flown() {
 }
 
 #[test]
+fn the_page_of_what_was_learned_has_every_flight() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(["learn", "--to", "2,1", "--vehicle", "hosted", "--flights", "4", "--repeats", "1", "--json"])
+        .args(["-o", "learned"])
+        .current_dir(folder.path())
+        .output()
+        .expect("it starts");
+    let answer: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(answer["page"], "learned/learning.html", "{answer:#}");
+    let (_, data) = page(folder.path(), "learned/learning.html");
+    let flown = ["flights", "repeats"].map(|key| answer[key].as_array().expect("a list").clone()).concat();
+    let shown = data.pointer("/learning/flights").and_then(Value::as_array).expect("a list");
+    assert_eq!(shown.len(), flown.len());
+    for (shown, flown) in shown.iter().zip(&flown) {
+        let part = |key: &str| {
+            flown.pointer(&format!("/final_error/{key}")).and_then(Value::as_f64).expect("a number")
+        };
+        let expected =
+            [part("x_m").hypot(part("z_m")), part("vx_mps").hypot(part("vz_mps")), part("theta_rad").abs()];
+        let errors: Vec<f64> = serde_json::from_value(shown["errors"].clone()).expect("numbers");
+        assert!(
+            errors.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12),
+            "{errors:?}, not {expected:?}"
+        );
+    }
+    // The flight that is shown is the last one: one flight, from its beginning to its end.
+    assert_eq!(data["success"], true);
+    let texts: Vec<_> =
+        data["events"].as_array().expect("a list").iter().map(|e| e["text"].clone()).collect();
+    assert_eq!(texts.iter().filter(|t| *t == "taking off").count(), 1, "{texts:?}");
+    assert!(column(&data, "/flight/t").is_sorted());
+}
+
+#[test]
 fn a_page_that_is_none_is_refused_before_anything_flies() {
     let folder = tempfile::tempdir().expect("a folder");
     for (arguments, word) in [

@@ -265,12 +265,13 @@ fn fingers_mouse_and_keys_zoom_read_and_play() {
     browser.wait_for(&format!("{PLAYS} === 'Play'"));
     browser.evaluate("document.getElementById('speed').value = '0.1'");
     browser.press("Space");
-    browser.wait_for(&format!("{PLAYS} === 'Pause'"));
+    browser.wait_for(&format!("{PLAYS} === 'Pause' && Math.abs({clock}) < 0.5"));
     let passed = "new Promise((done) => { const t = () => parseFloat(document.getElementById('clock').textContent.replace('−', '-')); \
                   const [from, since] = [t(), performance.now()]; \
                   setTimeout(() => done((t() - from) / ((performance.now() - since) / 1000)), 800); })";
     let speed = browser.evaluate(passed).as_f64().expect("a speed");
-    assert!((0.05..0.15).contains(&speed), "{speed}");
+    // A busy machine skips frames and is slower then; it is never faster.
+    assert!((0.01..0.12).contains(&speed), "{speed}");
     browser.press("Space");
     browser.wait_for(&format!("{PLAYS} === 'Play'"));
     assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);

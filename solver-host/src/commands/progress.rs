@@ -10,6 +10,8 @@ use mintime::flight_log::{EventLevel, LogEvent};
 pub(crate) struct Progress {
     line: ProgressBar,
     pub(crate) events: Vec<LogEvent>,
+    /// How many of them there were when the last flight began.
+    before_flight: usize,
 }
 
 impl Progress {
@@ -20,7 +22,7 @@ impl Progress {
                 .unwrap_or_else(|_| ProgressStyle::default_spinner()),
         );
         line.enable_steady_tick(Duration::from_millis(100));
-        Self { line, events: Vec::new() }
+        Self { line, events: Vec::new(), before_flight: 0 }
     }
 
     pub(crate) fn say(&self, text: impl Into<String>) {
@@ -49,6 +51,11 @@ impl Progress {
         self.line.finish_and_clear();
     }
 
+    /// What happened in the last flight, of several.
+    pub(crate) fn last_flight(&mut self) -> Vec<LogEvent> {
+        self.events.split_off(self.before_flight.min(self.events.len()))
+    }
+
     fn note(&mut self, now_s: f64, text: &str) {
         let time_ns = (now_s * 1e9).round() as u64;
         self.events.push(LogEvent { time_ns, text: text.to_owned(), level: EventLevel::Info });
@@ -71,6 +78,9 @@ impl Voice {
 
 impl Witness for Progress {
     fn phase(&mut self, phase: Phase, now_s: f64) {
+        if phase == Phase::Prepare {
+            self.before_flight = self.events.len();
+        }
         let text = match phase {
             Phase::Prepare => "identifying the vehicle, uploading the table",
             Phase::TakeOff => "taking off",

@@ -13,7 +13,9 @@ use crate::flight::{
     FlightError, HopPlan, HostedVehicle, Outcome, Phase, Scene, VirtualVehicle, Witness, fly_hops,
 };
 use crate::identification::{HOPS_MIN, IdentificationError, identify};
-use crate::mission::{Mission, MissionError, PlantChoice, Room, Source, VehicleChoice, fly_again, prepare};
+use crate::mission::{
+    self, Mission, MissionError, PlantChoice, Room, Source, VehicleChoice, fly_again, prepare,
+};
 
 /// A vehicle in the simulator: its errors come from its seed, the noise of each flight from the flight's number too.
 #[derive(Clone, Debug)]
@@ -85,6 +87,8 @@ pub struct SimulatedFlyer<'a, W> {
     pub vehicle: &'a SimulatedVehicle,
     /// Is told of each flight.
     pub witness: &'a mut W,
+    /// The last flight that took place.
+    pub last: Option<mission::Flown>,
 }
 
 impl<W: Witness> Flyer for SimulatedFlyer<'_, W> {
@@ -96,29 +100,42 @@ impl<W: Witness> Flyer for SimulatedFlyer<'_, W> {
         let source = Source::Table(buffer[..length].to_vec());
         let mission = Mission { source, plant: plant.clone(), seed: *seed, room: *room };
         let prepared = prepare(&mission.source, room.as_ref()).map_err(|e| lost(e.to_string()))?;
-        let mut eyes = Eyes::new(self.witness);
+        let mut eyes = Eyes::new(&mut *self.witness);
         let flown =
             fly_again(&mission, number, prepared, choice, &mut eyes).map_err(|e| lost(e.to_string()))?;
-        if flown.outcome() == "crashed" {
-            return Err(lost(flown.reason().unwrap_or_default()));
-        }
-        let result = flown.flight.as_ref().map_err(|e| lost(e.to_string()))?;
-        let broken = |reason: String| FlightFailure::Broken { outcome: result.outcome.name(), reason };
-        if !matches!(result.outcome, Outcome::Completed | Outcome::NotCaught) {
-            return Err(broken(flown.reason().unwrap_or_default()));
-        }
-        let observed = eyes
-            .observed(table, Vector3::zeros(), &result.record, response)
-            .map_err(|e| FlightFailure::Broken { outcome: "not-seen", reason: e.to_string() })?;
-        let true_final_error = flown.final_error().map(|e| StateError {
-            x_m: e.x_m,
-            vx_mps: e.vx_mps,
-            z_m: e.z_m,
-            vz_mps: e.vz_mps,
-            theta_rad: e.theta_rad,
-        });
-        Ok(Flown { observed, true_final_error, outcome: result.outcome.name() })
+        let told = seen_end(&flown, &eyes, table, response);
+        self.last = Some(flown);
+        told
     }
+}
+
+/// What a flight tells of its end.
+fn seen_end<W: Witness>(
+    flown: &mission::Flown,
+    eyes: &Eyes<'_, W>,
+    table: &ManeuverTable,
+    response: &Response,
+) -> Result<Flown, FlightFailure> {
+    let lost = |reason: String| FlightFailure::Lost { reason };
+    if flown.outcome() == "crashed" {
+        return Err(lost(flown.reason().unwrap_or_default()));
+    }
+    let result = flown.flight.as_ref().map_err(|e| lost(e.to_string()))?;
+    let broken = |reason: String| FlightFailure::Broken { outcome: result.outcome.name(), reason };
+    if !matches!(result.outcome, Outcome::Completed | Outcome::NotCaught) {
+        return Err(broken(flown.reason().unwrap_or_default()));
+    }
+    let observed = eyes
+        .observed(table, Vector3::zeros(), &result.record, response)
+        .map_err(|e| FlightFailure::Broken { outcome: "not-seen", reason: e.to_string() })?;
+    let true_final_error = flown.final_error().map(|e| StateError {
+        x_m: e.x_m,
+        vx_mps: e.vx_mps,
+        z_m: e.z_m,
+        vz_mps: e.vz_mps,
+        theta_rad: e.theta_rad,
+    });
+    Ok(Flown { observed, true_final_error, outcome: result.outcome.name() })
 }
 
 /// A witness that looks away.

@@ -179,7 +179,7 @@ fn learn_one(
         }
     };
     let mut unseen = Unseen;
-    let mut flyer = SimulatedFlyer { vehicle, witness: &mut unseen };
+    let mut flyer = SimulatedFlyer { vehicle, witness: &mut unseen, last: None };
     let mut history = History::of(&case.maneuver, vehicle.choice.name(), Some(vehicle.seed));
     history.identified = Some(*found);
     let Learned { history, table, stop } = learn(&plan, history, statistics.budget, &mut flyer, &mut Silent);

@@ -257,7 +257,7 @@ fn learned(html: &mut Html, learning: &Learning) {
     html.raw("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Flights\"><table class=\"flights\"><thead><tr>");
     html.element("th scope=\"col\"", "flight");
     for component in &learning.components {
-        let head = format!("{} (±{} {})", component.name, number(component.tolerance), component.unit);
+        let head = format!("{} (±{} {})", component.name, component.tolerance, component.unit);
         html.element("th scope=\"col\"", &head);
     }
     html.element("th scope=\"col\"", "T (s)").element("th scope=\"col\"", "").raw("</tr></thead><tbody>");

@@ -15,7 +15,8 @@ use mintime::learning::{
     Budget, Flyer, History, HistoryError, IdentifiedResponse, Learned, LearningPlan, Observer, Response,
     SimulatedFlyer, SimulatedVehicle, Target, check_folder, hop_plan, keep_old, plan,
 };
-use mintime::mission::{PlantChoice, Room, VehicleChoice};
+use mintime::mission::{Flown, Mission, PlantChoice, Room, Source, VehicleChoice};
+use mintime::page::{self, Page, Sources};
 use mintime_shared::model::{GRAVITY_MPS2, State};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
@@ -27,8 +28,12 @@ use super::live::LiveArguments;
 use super::numbers::{self, Displacement};
 use super::print;
 use super::progress::{Progress, Voice};
+use super::recording;
 use super::table::read_bytes;
 use real::RealFlyer;
+
+/// Name of the page in the campaign's folder.
+const PAGE_FILE: &str = "learning.html";
 
 /// Arguments of `mintime learn`.
 #[derive(Args)]
@@ -71,6 +76,10 @@ pub(crate) struct Learn {
     /// Where to keep the history and the best table, after every flight; learned/MANEUVER-VEHICLE if not given
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
+    /// Where to write the page to look at in a browser: the learning curve, and the last flight with its animation and plots;
+    /// learning.html in the folder if not given
+    #[arg(long, value_name = "FILE.html")]
+    page: Option<PathBuf>,
     /// Print JSON instead of text
     #[arg(long)]
     json: bool,
@@ -103,25 +112,54 @@ impl Learn {
         let (target, maneuver) = self.target()?;
         let folder = self.output.clone().unwrap_or_else(|| self.folder(&maneuver));
         check_folder(&folder)?;
+        let page = self.page.clone().unwrap_or_else(|| folder.join(PAGE_FILE));
+        page::check(&page)?;
         keep_old(&folder)?;
         let mut progress = Progress::new();
-        let mut campaign = Campaign { learn: self, target, maneuver, folder, kept: Ok(()) };
+        let mut campaign = Campaign { learn: self, target, maneuver, folder, kept: Ok(()), last: None };
         let learned = match &self.vehicle {
             VehicleKind::Port(port) => campaign.real(port, &mut progress),
             _ => campaign.simulated(&mut progress),
         };
         progress.finish();
         let learned = learned?;
+        let written =
+            campaign.last.as_ref().map(|last| self.write(&learned.history, last, &mut progress, &page));
+        let page = matches!(written, Some(Ok(()))).then_some(page.as_path());
         if self.json {
-            print(&format!("{:#}", words::value(&learned, &campaign.folder)));
+            print(&format!("{:#}", words::value(&learned, &campaign.folder, page)));
         } else {
-            print(&words::text(&learned, campaign.kept.is_ok().then_some(campaign.folder.as_path())));
+            print(&words::text(&learned, campaign.kept.is_ok().then_some(campaign.folder.as_path()), page));
         }
         campaign.kept?;
+        written.transpose()?;
         if !learned.history.converged {
             eprintln!("mintime: {}", learned.stop);
         }
         Ok(learned.history.converged)
+    }
+
+    /// Writes the page: what was learned, and the last flight.
+    fn write(
+        &self,
+        history: &History,
+        last: &Flown,
+        progress: &mut Progress,
+        path: &Path,
+    ) -> Result<(), Box<dyn Error>> {
+        let mission = Mission {
+            source: Source::Table(last.prepared.bytes.clone()),
+            plant: PlantChoice::from_argument(&self.plant)?,
+            seed: self.seed,
+            room: self.room,
+        };
+        let log = recording::log(&mission, last, progress.last_flight());
+        let picture = recording::report(&mission, last);
+        let learning = Some(history.into());
+        Ok(page::write(
+            &Page::collect(Sources { picture: &picture, log: &log, flown: last, learning }),
+            path,
+        )?)
     }
 
     /// What to learn, and its name.
@@ -160,6 +198,8 @@ struct Campaign<'a> {
     folder: PathBuf,
     /// Whether the last flight's history is on disk.
     kept: Result<(), HistoryError>,
+    /// The last flight that took place.
+    last: Option<Flown>,
 }
 
 impl Campaign<'_> {
@@ -189,8 +229,10 @@ impl Campaign<'_> {
         let plan = self.plan(&VehicleConfig::REFERENCE, &found, progress)?;
         vehicle.response = plan.response;
         let voice = progress.voice();
-        let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: progress };
-        Ok(self.teach(&plan, found, &mut flyer, voice))
+        let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: progress, last: None };
+        let learned = self.teach(&plan, found, &mut flyer, voice);
+        self.last = flyer.last;
+        Ok(learned)
     }
 
     fn real(&mut self, port: &str, progress: &mut Progress) -> Result<Learned, Box<dyn Error>> {
@@ -206,8 +248,10 @@ impl Campaign<'_> {
         let found = (&identify(&flight, &config)?).into();
         let plan = self.plan(&config, &found, progress)?;
         let voice = progress.voice();
-        let mut flyer = RealFlyer { watched, config, room, response: plan.response, progress };
-        Ok(self.teach(&plan, found, &mut flyer, voice))
+        let mut flyer = RealFlyer { watched, config, room, response: plan.response, progress, last: None };
+        let learned = self.teach(&plan, found, &mut flyer, voice);
+        self.last = flyer.last;
+        Ok(learned)
     }
 
     fn plan(

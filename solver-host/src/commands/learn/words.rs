@@ -6,10 +6,11 @@ use mintime::learning::{FlightEntry, HISTORY_FILE, History, Learned, StateError,
 use serde_json::{Value, json};
 
 /// The JSON answer: the history, and where it is. Field names are part of the interface.
-pub(super) fn value(learned: &Learned, folder: &Path) -> Value {
+pub(super) fn value(learned: &Learned, folder: &Path, page: Option<&Path>) -> Value {
     let mut value = json!(learned.history);
     value["history"] = json!(folder.join(HISTORY_FILE));
     value["table"] = json!(folder.join(TABLE_FILE));
+    value["page"] = json!(page);
     value
 }
 
@@ -29,7 +30,7 @@ pub(super) fn newest(history: &History) -> String {
 }
 
 /// The page for a person. `folder` is `None` where nothing could be kept: then the table is told.
-pub(super) fn text(learned: &Learned, folder: Option<&Path>) -> String {
+pub(super) fn text(learned: &Learned, folder: Option<&Path>, page: Option<&Path>) -> String {
     let history = &learned.history;
     let mut lines = vec![format!("maneuver   {}, flown by {}", history.maneuver, history.vehicle)];
     lines.extend(history.identified.map(|found| {
@@ -60,6 +61,7 @@ pub(super) fn text(learned: &Learned, folder: Option<&Path>) -> String {
             lines.extend(best.map(|entry| format!("table      {} (not on disk)", entry.table)));
         }
     }
+    lines.extend(page.map(|page| format!("page       {}", page.display())));
     lines.join("\n")
 }
 

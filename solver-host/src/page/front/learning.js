@@ -8,6 +8,7 @@ class LearningChart {
     this.svg = svg("svg", { role: "img", "aria-label": `${title}; the table below has the numbers` }, box);
     const legend = html("p", { class: "legend" }, undefined, box);
     this.says = curves.map((c) => html("b", {}, "", html("span", { class: `key c-${c.kind}` }, `${c.label} `, legend)));
+    if (line) html("span", { class: "key dashed c-limit" }, "tolerance", legend);
     this.unit = unit;
     this.svg.addEventListener("pointermove", (event) => this.read(event.clientX));
     this.svg.addEventListener("pointerdown", (event) => this.read(event.clientX));
