@@ -57,6 +57,8 @@ const MAX_ANGLE_RAD: f32 = 51.0;
 const GRAVITY_TOLERANCE_MPS2: f32 = 0.05;
 /// Largest magnitude of an arc's width and peak time, s: wider is straight, later is elsewhere.
 pub const MAX_ARC_TIME_S: f32 = 1.0e6;
+/// What a learned table may make up for, m/s²: drag at 15 m/s, and thrust that is a tenth off.
+const LEARNED_ACCELERATION_MPS2: f32 = 5.0;
 /// How much an arc may exceed the rate limit: rounding to `f32` only.
 const ARC_RATE_TOLERANCE: f32 = 1.0e-4;
 
@@ -264,13 +266,22 @@ struct EndTolerance {
 
 impl Kind {
     /// Extremals and retimed tables reach their end in the model up to rounding in `f32`. A learned one misses it in
-    /// the model so as to reach it in the world: here only nonsense is kept out.
-    fn end_tolerance(self) -> EndTolerance {
+    /// the model so as to reach it in the world, by what [`LEARNED_ACCELERATION_MPS2`] does over its duration: here only
+    /// nonsense is kept out.
+    fn end_tolerance(self, duration_s: f32) -> EndTolerance {
         match self {
             Self::Extremal | Self::Retimed => {
                 EndTolerance { position_m: 5.0e-3, velocity_mps: 1.0e-2, angle_rad: 1.0e-3 }
             }
-            Self::Learned => EndTolerance { position_m: 3.0, velocity_mps: 5.0, angle_rad: 1.0 },
+            Self::Learned => {
+                let velocity_mps = LEARNED_ACCELERATION_MPS2 * duration_s;
+                let position_m = 0.5 * velocity_mps * duration_s;
+                EndTolerance {
+                    position_m: if position_m > 3.0 { position_m } else { 3.0 },
+                    velocity_mps: if velocity_mps > 5.0 { velocity_mps } else { 5.0 },
+                    angle_rad: 1.0,
+                }
+            }
         }
     }
 }
@@ -392,7 +403,7 @@ impl ManeuverTable {
             return Err(TableError::TooLong);
         }
         self.check_arcs()?;
-        let tolerance = self.kind.end_tolerance();
+        let tolerance = self.kind.end_tolerance(self.duration_s());
         let miss = self.planned_end().minus(self.end);
         let arrives = miss.x.abs() <= tolerance.position_m
             && miss.z.abs() <= tolerance.position_m

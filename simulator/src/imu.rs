@@ -101,6 +101,11 @@ impl ImuSensor {
         }
     }
 
+    pub(crate) fn redraw_noise(&mut self, seed: u64) {
+        self.gyro.noise = Noise::new(seed, Source::GyroNoise);
+        self.accelerometer.noise = Noise::new(seed, Source::AccelerometerNoise);
+    }
+
     /// When the next sample is due, ns; `u64::MAX` for never.
     pub(crate) fn next_ns(&self, faults: &Faults) -> u64 {
         let due = self.clock.next_ns();

@@ -52,6 +52,12 @@ impl Cameras {
         cameras
     }
 
+    /// The marker frame stays as it is mounted.
+    pub(crate) fn redraw_noise(&mut self, seed: u64) {
+        self.timing = Noise::new(seed, Source::CaptureTiming);
+        self.noise = Noise::new(seed, Source::CaptureNoise);
+    }
+
     /// When the next frame is taken and when it arrives, ns; `u64::MAX` for never.
     pub(crate) fn next_ns(&self) -> (u64, u64) {
         self.frame.unwrap_or((u64::MAX, u64::MAX))

@@ -119,6 +119,13 @@ impl Simulator {
         Ok(Self { now_ns: 0, plant, imu, cameras, faults: Faults::default(), events: VecDeque::new() })
     }
 
+    /// Draws the noise of gyro, accelerometer and cameras from another seed from now on: another flight of the same vehicle,
+    /// whose own errors stay what they are.
+    pub fn redraw_noise(&mut self, seed: u64) {
+        self.imu.redraw_noise(seed);
+        self.cameras.redraw_noise(seed);
+    }
+
     /// True time, ns.
     pub fn now_ns(&self) -> u64 {
         self.now_ns

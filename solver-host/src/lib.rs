@@ -4,7 +4,7 @@
 //! ```text
 //! request ─→ solver ─→ verified extremal ─→ pack ─→ table ─→ flight: upload, hover, trigger, catch, land, download
 //!                                                                │
-//!                                        mission (truth against plan) ─→ flight_log, report
+//!                                        mission (truth against plan) ─→ flight_log, report, page
 //! ```
 //!
 //! Without the feature `std` only [`solver`] and [`pack`] are left, for targets with no operating system.
@@ -19,10 +19,14 @@ pub mod flight_log;
 #[cfg(feature = "std")]
 pub mod identification;
 #[cfg(feature = "std")]
+pub mod learning;
+#[cfg(feature = "std")]
 pub mod mission;
 #[cfg(feature = "std")]
 pub mod motion_capture;
 pub mod pack;
+#[cfg(feature = "std")]
+pub mod page;
 #[cfg(feature = "std")]
 pub mod port;
 #[cfg(feature = "std")]

@@ -1,7 +1,11 @@
 //! From a request to a flown maneuver: solve, pack, check the room, fly, compare with truth.
 
+mod plan_frame;
+
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+
+pub use plan_frame::PlanFrame;
 
 use emulator::core::Timing;
 use mintime_firmware::config::VehicleConfig;
@@ -9,7 +13,7 @@ use mintime_shared::messages::PROTOCOL_VERSION;
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable, TableError};
-use mintime_simulator::{Model, ParameterError, SimulatorError, Truth, VehicleParameters};
+use mintime_simulator::{Model, ParameterError, Simulator, SimulatorError, Truth, VehicleParameters};
 use nalgebra::Vector3;
 
 use crate::firmware_image::FirmwareImage;
@@ -543,6 +547,20 @@ pub fn fly_mission(
     vehicle: &VehicleChoice,
     witness: &mut impl Witness,
 ) -> Result<Flown, MissionError> {
+    fly_again(mission, 0, prepared, vehicle, witness)
+}
+
+/// Flies a prepared maneuver as one of several flights of the same vehicle: the number decides the noise, and nothing else.
+///
+/// # Errors
+/// Those of [`fly_mission`], which flies number 0.
+pub fn fly_again(
+    mission: &Mission,
+    number: u32,
+    prepared: Prepared,
+    vehicle: &VehicleChoice,
+    witness: &mut impl Witness,
+) -> Result<Flown, MissionError> {
     check_plant(&mission.plant.parameters, &prepared.table)?;
     let floor_m = mission
         .room
@@ -563,12 +581,13 @@ pub fn fly_mission(
     let (flight, trace, virtual_time_s, emulated) = match vehicle {
         VehicleChoice::Hosted => {
             let mut vehicle = HostedVehicle::new(&scene)?;
+            draw_noise(vehicle.simulator_mut(), mission.seed, number);
             let flight = fly(&mut vehicle, &plan, witness);
             let virtual_time_s = vehicle.now_ns() as f64 * 1e-9;
             (flight, vehicle.into_trace(), virtual_time_s, None)
         }
         VehicleChoice::Virtual { image, both_timings } => {
-            fly_virtual(&scene, &plan, image, *both_timings, witness)?
+            fly_virtual(&scene, number, &plan, image, *both_timings, witness)?
         }
     };
     Ok(Flown {
@@ -582,19 +601,31 @@ pub fn fly_mission(
     })
 }
 
+/// The noise of a flight of a vehicle: that of its own seed for number 0.
+pub(crate) fn draw_noise(simulator: &mut Simulator, seed: u64, number: u32) {
+    if number > 0 {
+        simulator.redraw_noise(seed ^ u64::from(number) << 32);
+    }
+}
+
 type FlownBoard = (Result<FlightResult, FlightError>, Trace, f64, Option<EmulatedFlight>);
 
 /// Flies on the virtual board, with pessimistic timing.
 fn fly_virtual(
     scene: &Scene<'_>,
+    number: u32,
     plan: &FlightPlan,
     image: &FirmwareImage,
     both_timings: bool,
     witness: &mut impl Witness,
 ) -> Result<FlownBoard, MissionError> {
-    let mut vehicle = VirtualVehicle::new(scene, image.elf(), Timing::Pessimistic)?;
-    let twin =
-        both_timings.then(|| VirtualVehicle::new(scene, image.elf(), Timing::Optimistic)).transpose()?;
+    let board = |timing| {
+        let mut vehicle = VirtualVehicle::new(scene, image.elf(), timing)?;
+        draw_noise(vehicle.simulator_mut(), scene.seed, number);
+        Ok::<_, VirtualBoardError>(vehicle)
+    };
+    let mut vehicle = board(Timing::Pessimistic)?;
+    let twin = both_timings.then(|| board(Timing::Optimistic)).transpose()?;
     let (flight, wall_s, optimistic) = std::thread::scope(|scope| {
         let twin = twin.map(|mut twin| {
             scope.spawn(move || {

@@ -81,7 +81,8 @@ fn fly_json_has_the_fields_of_the_interface() {
     assert!(at("/virtual_time_s").as_f64() > Some(5.0));
     assert!(at("/wall_time_s").is_f64());
     assert_eq!((at("/log"), at("/report")), ("flight.mcap".into(), "flight.svg".into()));
-    for file in ["flight.mcap", "flight.svg"] {
+    assert_eq!(at("/page"), "flight.html");
+    for file in ["flight.mcap", "flight.svg", "flight.html"] {
         assert!(folder.path().join(file).is_file(), "{file}");
     }
 }

@@ -143,6 +143,14 @@ fn a_real_vehicle_flies_its_maneuver_and_lands() {
     // What the cameras saw is in the picture.
     let picture = std::fs::read_to_string(folder.path().join("flight.svg")).expect("a picture");
     assert!(picture.contains("flown-vehicles") && picture.contains("as the cameras saw it"), "{picture}");
+    // So it is in the page, with the vehicle's own record: of gyro and throttles nobody else knows.
+    let page = std::fs::read_to_string(folder.path().join("flight.html")).expect("a page");
+    let (_, data) = page.split_once(r#"id="data">"#).expect("data");
+    let data: Value = serde_json::from_str(data.split_once("</script>").expect("an end").0).expect("JSON");
+    assert_eq!(data["flown_is"], "seen by the cameras");
+    assert!(data["record"]["gyro"].as_str().is_some_and(|column| column.len() > 1000));
+    let unknown = ["motors", "gyro", "rate_command", "thrust_command"];
+    assert!(unknown.iter().all(|name| data["flight"].get(name).is_none()), "{}", data["flight"]);
     assert_eq!(world.status()["state"], "Disarmed");
     world.end();
 }

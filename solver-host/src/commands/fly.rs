@@ -6,8 +6,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
-use mintime::flight_log::{check_writable, write_mcap};
+use mintime::flight_log::{LogEvent, check_writable, write_mcap};
 use mintime::mission::{self, Flown, Mission, PlantChoice, Prepared, Room, Source, VehicleChoice};
+use mintime::page::{self, Page, Sources};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
 use mintime_shared::table::LinkPolicy;
@@ -71,6 +72,9 @@ pub(crate) struct Fly {
     /// Where to write the picture, SVG or PNG by its ending
     #[arg(long, value_name = "FILE.svg|FILE.png", default_value = "flight.svg")]
     report: PathBuf,
+    /// Where to write the page to look at in a browser: animated flight, plots, certificate, bytes, timings, faults
+    #[arg(long, value_name = "FILE.html", default_value = "flight.html")]
+    page: PathBuf,
     /// Print what the firmware logs, too (it is in the flight log in any case)
     #[arg(long)]
     firmware_log: bool,
@@ -88,10 +92,21 @@ enum OnLinkLoss {
 
 /// What can fly.
 #[derive(Clone, PartialEq, Eq)]
-enum VehicleKind {
+pub(crate) enum VehicleKind {
     Virtual,
     Hosted,
     Port(String),
+}
+
+impl VehicleKind {
+    /// As it was given.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Virtual => "virtual",
+            Self::Hosted => "hosted",
+            Self::Port(port) => port,
+        }
+    }
 }
 
 impl From<&str> for VehicleKind {
@@ -197,9 +212,10 @@ impl Fly {
     /// Whether it was flown to its end and caught.
     fn fly(&self) -> Result<bool, Box<dyn Error>> {
         // Everything that can be refused is refused before anything flies.
-        distinct([Some(&self.log), Some(&self.report), self.save_table.as_ref()])?;
+        distinct([Some(&self.log), Some(&self.report), Some(&self.page), self.save_table.as_ref()])?;
         check_writable(&self.log)?;
         report::check(&self.report)?;
+        page::check(&self.page)?;
         self.save_table.as_deref().map(check_writable).transpose()?;
         let mission = self.mission()?;
 
@@ -210,20 +226,44 @@ impl Fly {
         }
         .inspect_err(|_| progress.finish())?;
 
-        progress.say("writing the log and the picture");
-        write_mcap(&recording::log(&mission, &flown, std::mem::take(&mut progress.events)), &self.log)?;
-        report::write(&recording::report(&mission, &flown), &self.report)?;
+        progress.say("writing the log, the picture and the page");
+        let written = self.write(&mission, &flown, std::mem::take(&mut progress.events));
         progress.finish();
+        // The flight is over: what it says is printed, whatever became of the files.
+        let [log, report, page] = written.each_ref().map(|file| file.as_deref().ok());
         if self.json {
-            print(&format!("{:#}", summary::json(&flown, Some(&self.log), Some(&self.report))));
+            print(&format!("{:#}", summary::json(&flown, log, report, page)));
         } else {
-            print(&summary::text(&flown, self.firmware_log, &[&self.log, &self.report]));
+            let files: Vec<&Path> = [log, report, page].into_iter().flatten().collect();
+            print(&summary::text(&flown, self.firmware_log, &files));
+        }
+        let mut complete = true;
+        for error in written.iter().filter_map(|file| file.as_ref().err()) {
+            eprintln!("mintime: {error}");
+            complete = false;
         }
         if !flown.is_success() {
             let reason = flown.reason().map(|r| format!(": {r}")).unwrap_or_default();
             eprintln!("mintime: {}{reason}", flown.outcome());
         }
-        Ok(flown.is_success())
+        Ok(flown.is_success() && complete)
+    }
+
+    /// Writes what the flight leaves: log, picture, page. What cannot be written does not keep the others from it.
+    fn write(
+        &self,
+        mission: &Mission,
+        flown: &Flown,
+        events: Vec<LogEvent>,
+    ) -> [Result<PathBuf, Box<dyn Error>>; 3] {
+        let log = recording::log(mission, flown, events);
+        let picture = recording::report(mission, flown);
+        let page = Page::collect(Sources { picture: &picture, log: &log, flown, learning: None });
+        [
+            write_mcap(&log, &self.log).map(|()| self.log.clone()).map_err(Into::into),
+            report::write(&picture, &self.report).map(|()| self.report.clone()).map_err(Into::into),
+            page::write(&page, &self.page).map(|()| self.page.clone()).map_err(Into::into),
+        ]
     }
 }
 

@@ -9,6 +9,7 @@ use mintime::flight::{Connection as _, ConnectionError, FlightPlan, Phase, Pose,
 use mintime::mission::{Flown, Mission, Prepared, Room, prepare_for};
 use mintime::motion_capture::{Capture, CaptureOptions, Volume};
 use mintime::vehicle::{LiveOptions, LiveVehicle, PortLink, Session, read_key};
+use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
 use super::keyboard::Keyboard;
@@ -115,7 +116,7 @@ impl MocapArguments {
 pub(crate) struct Watched {
     pub(crate) vehicle: LiveVehicle,
     /// Where the maneuver starts, world frame, m.
-    start_m: Vector3<f64>,
+    pub(crate) start_m: Vector3<f64>,
     _keyboard: Keyboard,
 }
 
@@ -126,7 +127,37 @@ impl Watched {
     }
 }
 
+/// A vehicle that has said what it is.
+struct Asked {
+    link: PortLink,
+    config: VehicleConfig,
+    key: Option<[u8; 16]>,
+}
+
 impl LiveArguments {
+    /// Asks the vehicle what it is and finds it with the cameras, for several flights in a row. Nothing moves. Returns the
+    /// vehicle, what it is, and the room.
+    pub(crate) fn watch(
+        &self,
+        port: &str,
+        room: Option<Room>,
+    ) -> Result<(Watched, VehicleConfig, Room), Box<dyn Error>> {
+        let room = self.eyes.check(room)?;
+        let Asked { link, config, key } = self.ask(port)?;
+        let options = LiveOptions { key, ..LiveOptions::default() };
+        Ok((self.eyes.watch(link, options, &room)?, config, room))
+    }
+
+    /// The link to a vehicle that knows what it is.
+    fn ask(&self, port: &str) -> Result<Asked, Box<dyn Error>> {
+        let key = self.key.as_deref().map(read_key).transpose()?;
+        let mut session = Session::begin(PortLink::open(port)?, key)?;
+        let config = session.vehicle()?.ok_or(
+            "the vehicle does not know what it is: write its file with `mintime vehicle PORT params --file` first",
+        )?;
+        Ok(Asked { link: session.into_link(), config, key })
+    }
+
     /// Whether any of them was given.
     pub(crate) fn are_given(&self) -> bool {
         self.eyes.are_given()
@@ -135,13 +166,9 @@ impl LiveArguments {
     /// Asks the vehicle what it is, and plans for it. Nothing moves.
     pub(crate) fn prepare(&self, port: &str, mission: &Mission) -> Result<Live, Box<dyn Error>> {
         let room = self.eyes.check(mission.room)?;
-        let key = self.key.as_deref().map(read_key).transpose()?;
-        let mut session = Session::begin(PortLink::open(port)?, key)?;
-        let config = session.vehicle()?.ok_or(
-            "the vehicle does not know what it is: write its file with `mintime vehicle PORT params --file` first",
-        )?;
+        let Asked { link, config, key } = self.ask(port)?;
         let prepared = prepare_for(&mission.source, Some(&room), &config)?;
-        Ok(Live { link: session.into_link(), prepared, room, key })
+        Ok(Live { link, prepared, room, key })
     }
 
     /// Flies. The vehicle stands below the start; the start is above it by the room's depth.

@@ -7,6 +7,8 @@ mod documented;
 mod explain;
 mod fly;
 mod keyboard;
+mod learn;
+mod learn_statistics;
 mod limits;
 mod live;
 mod numbers;
@@ -35,6 +37,15 @@ pub(crate) enum Command {
     /// and landed, and its record is downloaded and compared with truth. The exit status is 0 only if it was flown to its
     /// end and the vehicle caught.
     Fly(fly::Fly),
+    /// Fly a maneuver again and again, and correct it by where each flight ended.
+    ///
+    /// Identifies the vehicle's thrust in hover, plans with it, and flies. What motion capture sees at the end of a flight
+    /// corrects the durations and the arcs of the next table, until two flights in a row end where they should. Then what
+    /// was learned is flown a few times more. The history and the best table are kept after every flight. The exit status
+    /// is 0 only if it was learned.
+    Learn(learn::Learn),
+    /// Learn the paper's maneuvers on many simulated vehicles, and tell how well that works.
+    LearnStatistics(learn_statistics::LearnStatistics),
     /// Compute the minimum-time maneuver between two states, or many of them.
     ///
     /// Any start and end state, any limits. Every answer is verified against Pontryagin's minimum principle by an
@@ -63,6 +74,8 @@ impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
             Self::Fly(fly) => fly.run(),
+            Self::Learn(learn) => learn.run(),
+            Self::LearnStatistics(statistics) => statistics.run(),
             Self::Solve(solve) => solve.run(),
             Self::Sweep(sweep) => sweep.run(),
             Self::Show(file) => file.show(),

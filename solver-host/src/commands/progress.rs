@@ -10,6 +10,8 @@ use mintime::flight_log::{EventLevel, LogEvent};
 pub(crate) struct Progress {
     line: ProgressBar,
     pub(crate) events: Vec<LogEvent>,
+    /// How many of them there were when the last flight began.
+    before_flight: usize,
 }
 
 impl Progress {
@@ -20,7 +22,7 @@ impl Progress {
                 .unwrap_or_else(|_| ProgressStyle::default_spinner()),
         );
         line.enable_steady_tick(Duration::from_millis(100));
-        Self { line, events: Vec::new() }
+        Self { line, events: Vec::new(), before_flight: 0 }
     }
 
     pub(crate) fn say(&self, text: impl Into<String>) {
@@ -35,8 +37,23 @@ impl Progress {
         self.say(text);
     }
 
+    /// Says something that stays, above the line that changes.
+    pub(crate) fn line(&self, text: &str) {
+        self.voice().line(text);
+    }
+
+    /// Somebody else who may do so.
+    pub(crate) fn voice(&self) -> Voice {
+        Voice(self.line.clone())
+    }
+
     pub(crate) fn finish(&self) {
         self.line.finish_and_clear();
+    }
+
+    /// What happened in the last flight, of several.
+    pub(crate) fn last_flight(&mut self) -> Vec<LogEvent> {
+        self.events.split_off(self.before_flight.min(self.events.len()))
     }
 
     fn note(&mut self, now_s: f64, text: &str) {
@@ -45,8 +62,25 @@ impl Progress {
     }
 }
 
+/// Says things that stay, above the progress line where there is one.
+#[derive(Clone)]
+pub(crate) struct Voice(ProgressBar);
+
+impl Voice {
+    pub(crate) fn line(&self, text: &str) {
+        if self.0.is_hidden() {
+            eprintln!("mintime: {text}");
+        } else {
+            self.0.println(text);
+        }
+    }
+}
+
 impl Witness for Progress {
     fn phase(&mut self, phase: Phase, now_s: f64) {
+        if phase == Phase::Prepare {
+            self.before_flight = self.events.len();
+        }
         let text = match phase {
             Phase::Prepare => "identifying the vehicle, uploading the table",
             Phase::TakeOff => "taking off",

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::recording::{structure, target};
 
 /// The JSON answer. Field names are part of the interface.
-pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> Value {
+pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>, page: Option<&Path>) -> Value {
     let identity = flown.flight.as_ref().ok().map(|r| r.identity);
     let flight = flown.flight.as_ref().ok();
     let path = |p: Option<&Path>| p.map(|p| p.display().to_string());
@@ -50,6 +50,7 @@ pub(crate) fn json(flown: &Flown, log: Option<&Path>, report: Option<&Path>) -> 
         "wall_time_s": flown.wall_time_s,
         "log": path(log),
         "report": path(report),
+        "page": path(page),
     })
 }
 

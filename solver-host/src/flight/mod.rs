@@ -123,6 +123,8 @@ struct Flight<'a, C, W> {
     said: Option<Setpoint>,
     /// Thrust per mass asked for instead of what position control wants, m/s²: hops are not for it to undo.
     thrust_mps2: Option<f32>,
+    /// Flies back to the start before it lands.
+    returns: bool,
 }
 
 /// The very same pose for this long, in the air, is not a measurement, s: cameras have noise and vehicles move.
@@ -148,6 +150,21 @@ pub fn fly(
     result
 }
 
+/// The same, but it flies back before it lands: the vehicle stands below the start again.
+///
+/// # Errors
+/// Those of [`fly`].
+pub fn fly_and_return(
+    connection: &mut impl Connection,
+    plan: &FlightPlan,
+    witness: &mut impl Witness,
+) -> Result<FlightResult, FlightError> {
+    let mut flight = Flight { returns: true, ..Flight::new(connection, witness) };
+    let result = flight.run(plan);
+    flight.end(&result);
+    result
+}
+
 impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
     fn new(connection: &'a mut C, witness: &'a mut W) -> Self {
         let client = Client::with_key(connection.key());
@@ -167,6 +184,7 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
             phase: Phase::Prepare,
             said: None,
             thrust_mps2: None,
+            returns: false,
         }
     }
 
@@ -226,6 +244,10 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
         }
         let (ticks, missed_ticks) = counts;
         self.enter(Phase::Land);
+        if self.returns {
+            let here = self.step()?.position_m;
+            self.move_to(here, plan.start_m, CLIMB_MPS)?;
+        }
         self.land(ground.z)?;
         self.enter(Phase::Download);
         let record = if outcome == Outcome::NotTriggered { Vec::new() } else { self.download()? };

@@ -49,6 +49,8 @@ mod windings;
 
 use core::sync::atomic::{AtomicBool, Ordering};
 
+#[cfg(feature = "std")]
+pub(crate) use dual::Dual;
 pub use extremal::Extremal;
 pub use request::{
     ANGLE_MAX_RAD, Alternative, LONGEST_RAD, MAX_ALTERNATIVES, MOST_TURNS, Request, Solution, SolveError,
@@ -56,7 +58,7 @@ pub use request::{
 };
 pub use sensitivity::Sensitivities;
 pub use structure::MAX_SEGMENTS;
-pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, verify};
+pub use verify::{Certificate, FINAL_STATE_TOLERANCE, LAW_TOLERANCE, RATE_TOLERANCE, Tolerances, verify};
 pub use windings::{solve_all_windings, solve_all_windings_cancellable};
 
 use newton::Newton;

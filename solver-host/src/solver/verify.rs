@@ -51,6 +51,33 @@ const IDLE: f64 = 1e-5;
 /// |c| beyond which the multiplier of the cost is as good as zero.
 const ABNORMAL: f64 = 1e4;
 
+/// What a certificate's numbers may be at most for this extremal.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Tolerances {
+    /// Of [`Certificate::final_state_error`]: m, m/s, m, m/s, rad.
+    pub final_state: [f64; 5],
+    /// Of [`Certificate::hamiltonian`], [`Certificate::control_law`] and −[`Certificate::kelley`], dimensionless.
+    pub law: f64,
+}
+
+impl Tolerances {
+    /// Those that [`verify()`] applies: relative to what the inputs can do in the time, and to the size of the costate.
+    pub fn of(extremal: &Extremal) -> Self {
+        let t_s = extremal.duration_s();
+        let speed = extremal.limits.thrust_max_mps2 * t_s;
+        let distance = speed * t_s;
+        Self {
+            final_state: [distance, speed, distance, speed, 1.0].map(|size| FINAL_STATE_TOLERANCE * size),
+            law: LAW_TOLERANCE * costate_size(extremal),
+        }
+    }
+}
+
+/// What dimensionless numbers of an extremal are relative to.
+fn costate_size(extremal: &Extremal) -> f64 {
+    1.0 + extremal.costate.to_array().iter().fold(0.0_f64, |m, c| m.max(c.abs()))
+}
+
 /// Order of the Taylor series: at half a radian a step the first term left out is below 1e-16.
 const ORDER: usize = 14;
 /// Longest step, in units of 1/ω_max.
@@ -125,12 +152,8 @@ pub(crate) fn verify_cancellable(extremal: &Extremal, cancelled: &dyn Fn() -> bo
     let target = demanded.to_array();
     let final_state_error: [f64; 5] = core::array::from_fn(|i| reached[i] - target[i]);
 
-    let t_s = extremal.duration_s();
-    let (speed, distance) = (limits.thrust_max_mps2 * t_s, limits.thrust_max_mps2 * t_s * t_s);
-    let size = [distance, speed, distance, speed, 1.0];
-    let costate_size = 1.0 + run.c.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-    let arrives = final_state_error.iter().zip(size).all(|(e, s)| e.abs() <= FINAL_STATE_TOLERANCE * s);
-    let law = LAW_TOLERANCE * costate_size;
+    let Tolerances { final_state, law } = Tolerances::of(extremal);
+    let arrives = final_state_error.iter().zip(final_state).all(|(e, most)| e.abs() <= most);
     let kelley = if run.kelley.is_finite() { run.kelley } else { 0.0 };
     let verified = finite
         && !extremal.segments.is_empty()
@@ -144,10 +167,10 @@ pub(crate) fn verify_cancellable(extremal: &Extremal, cancelled: &dyn Fn() -> bo
     let on_arc = |s: Option<&Segment<f64>>| s.is_some_and(|s| s.inputs.rate == RateMode::Singular);
     let degenerate = on_arc(extremal.segments.iter().find(|s| !idle(s)))
         || on_arc(extremal.segments.iter().rev().find(|s| !idle(s)))
-        || costate_size > ABNORMAL
+        || costate_size(extremal) > ABNORMAL
         || run.c == [0.0; 4];
     let problem = Problem::new(extremal.from, extremal.to, limits, extremal.turns);
-    let relaxed_s = lower_bound_near(&problem, run.c, t_s * rate)
+    let relaxed_s = lower_bound_near(&problem, run.c, extremal.duration_s() * rate)
         .or_else(|| relax(&problem).map(|r| r.lower_bound))
         .map_or(0.0, |bound| bound / rate);
     Some(Certificate {

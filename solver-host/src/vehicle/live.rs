@@ -54,6 +54,11 @@ impl LiveVehicle {
         self.link
     }
 
+    /// The next maneuver takes so long, s: for so long, and a moment longer, the cameras may lose the vehicle.
+    pub fn expect_maneuver(&mut self, duration_s: f64) {
+        self.options.maneuver_s = duration_s;
+    }
+
     /// Where the vehicle may be from now on.
     pub fn confine(&mut self, room: Volume) {
         self.capture.confine(room);

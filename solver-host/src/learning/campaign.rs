@@ -1,0 +1,346 @@
+//! A campaign: fly, see where it ended, correct, fly again; and in the end fly what was learned a few times more.
+
+use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
+use nalgebra::DMatrix;
+
+use super::correction::{CorrectionError, correct};
+use super::history::{FlightEntry, History, StateError};
+use super::model::Response;
+use super::observation::{Observed, effect_of_start};
+use super::parameters::Parameters;
+use super::plan::LearningPlan;
+
+/// Learned: this near the end, in tolerances, ...
+pub const LEARNED: f64 = 0.6;
+/// ... in so many flights in a row.
+const LEARNED_FLIGHTS: u32 = 2;
+/// Within the tolerances a part of the error is chance: a correction takes this part of it away.
+const GAIN_WITHIN: f64 = 0.5;
+/// Flights without progress after which it is given up, ...
+const STALLED_FLIGHTS: u32 = 5;
+/// ... where progress is to come this much nearer than ever before.
+const PROGRESS: f64 = 0.9;
+/// Flights in a row that may fail before it is given up.
+const FAILED_FLIGHTS: u32 = 2;
+/// A flight that ends this many times farther away than the best so far is a step too far.
+const TOO_FAR: f64 = 1.5;
+
+/// A flight that was seen to its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flown {
+    /// What motion capture saw.
+    pub observed: Observed,
+    /// The final error by the simulator's truth.
+    pub true_final_error: Option<StateError>,
+    /// `completed` or `not-caught`.
+    pub outcome: &'static str,
+}
+
+/// A flight that teaches nothing.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FlightFailure {
+    /// It was landed, but the maneuver was not flown or not to its end, or not seen: the next one may be.
+    #[error("{reason}")]
+    Broken {
+        /// `aborted`, `not-triggered` or `not-seen`.
+        outcome: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// The vehicle or the link is lost, or a person stopped it: there is no next one.
+    #[error("{reason}")]
+    Lost {
+        /// Why.
+        reason: String,
+    },
+}
+
+/// Something that can fly tables.
+pub trait Flyer {
+    /// Flies a table, from take-off to landing. Flights are numbered from 1, repeats included.
+    ///
+    /// # Errors
+    /// [`FlightFailure`].
+    fn fly(&mut self, table: &ManeuverTable, number: u32) -> Result<Flown, FlightFailure>;
+}
+
+/// Told of a campaign as it goes.
+pub trait Observer {
+    /// A flight is over, or learning has ended. `table` is the best so far.
+    fn flown(&mut self, history: &History, table: &ManeuverTable);
+}
+
+/// How much to fly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Flights that teach, at most.
+    pub flights: u32,
+    /// Flights of what was learned.
+    pub repeats: u32,
+}
+
+/// Why learning ended.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StopReason {
+    /// It worked.
+    #[error("learned: {LEARNED_FLIGHTS} flights in a row ended within {LEARNED} of the tolerances")]
+    Converged,
+    /// No more flights.
+    #[error(
+        "the flights are used up; the best ended {best:.1} tolerances away: allow more flights, or look at what scatters"
+    )]
+    FlightsUsedUp {
+        /// The least error, in tolerances; infinite where no flight was seen to its end.
+        best: f64,
+    },
+    /// No progress.
+    #[error(
+        "it does not converge: {STALLED_FLIGHTS} flights brought nothing better than {best:.1} tolerances; plan with lower limits, \
+         and see that battery, propellers and cameras are as they were when it was identified"
+    )]
+    NotConverging {
+        /// The least error, in tolerances.
+        best: f64,
+    },
+    /// The Jacobian has lost a direction.
+    #[error(transparent)]
+    Correction(#[from] CorrectionError),
+    /// The correction makes a table that no vehicle takes.
+    #[error("the next correction would make a table that the vehicle refuses: {0}")]
+    Table(#[from] TableError),
+    /// Flights fail.
+    #[error("{FAILED_FLIGHTS} flights in a row were not flown to their end; the last one: {0}")]
+    Broken(String),
+    /// The vehicle is lost.
+    #[error("the vehicle did not come back: {0}")]
+    Lost(String),
+}
+
+/// What a campaign leaves.
+#[derive(Clone, Debug)]
+pub struct Learned {
+    /// What was flown.
+    pub history: History,
+    /// The best table.
+    pub table: ManeuverTable,
+    /// Why learning ended.
+    pub stop: StopReason,
+}
+
+/// Up to this error the end moves with the parameters in a straight line, nearly, in tolerances.
+const STRAIGHT: f64 = 3.0;
+/// An error that says something of drag, in tolerances.
+const DRAG_SHOWS: f64 = 3.0;
+
+/// One try: parameters, and the way to the next ones.
+struct Learner<'a> {
+    plan: &'a LearningPlan,
+    response: Response,
+    parameters: Parameters,
+    jacobian: DMatrix<f64>,
+    best: Option<Best>,
+    last: Option<f64>,
+    within: u32,
+    stalled: u32,
+    /// Part of the correction that is believed; less after a step too far.
+    trust: f64,
+}
+
+struct Best {
+    parameters: Parameters,
+    error: StateError,
+    table: ManeuverTable,
+    flight: usize,
+}
+
+/// Learns a maneuver. The history tells what to call it; its plan's numbers, flights and repeats are filled in. Whatever
+/// happens on the way is a [`StopReason`].
+pub fn learn(
+    plan: &LearningPlan,
+    mut history: History,
+    budget: Budget,
+    flyer: &mut impl Flyer,
+    observer: &mut impl Observer,
+) -> Learned {
+    history.planned_duration_s = plan.planned_duration_s;
+    history.optimum_duration_s = plan.optimum_duration_s;
+    history.learned_duration_s = f64::from(plan.table.duration_s());
+    let parameters = Parameters::of(&plan.table);
+    let jacobian = plan.response.linearised(&plan.table, &parameters).1;
+    let mut learner = Learner {
+        plan,
+        response: plan.response,
+        parameters,
+        jacobian,
+        best: None,
+        last: None,
+        within: 0,
+        stalled: 0,
+        trust: 1.0,
+    };
+    let stop = learner.teach(&mut history, budget.flights, flyer, observer);
+    let table = learner.best.map_or_else(|| plan.table.clone(), |best| best.table);
+    history.converged = stop == StopReason::Converged;
+    history.reason = Some(stop.to_string());
+    observer.flown(&history, &table);
+    if !matches!(stop, StopReason::Lost(_)) && history.best.is_some() {
+        for repeat in 1..=budget.repeats {
+            let number = history.flights.len() as u32 + repeat;
+            let flown = flyer.fly(&table, number);
+            let lost = matches!(flown, Err(FlightFailure::Lost { .. }));
+            history.repeats.push(entry(&table, &flown));
+            observer.flown(&history, &table);
+            if lost {
+                break;
+            }
+        }
+    }
+    Learned { history, table, stop }
+}
+
+impl Learner<'_> {
+    fn teach(
+        &mut self,
+        history: &mut History,
+        flights: u32,
+        flyer: &mut impl Flyer,
+        observer: &mut impl Observer,
+    ) -> StopReason {
+        let mut failed = 0;
+        for number in 1..=flights {
+            let table = match self.parameters.into_table(&self.plan.table) {
+                Ok(table) => table,
+                Err(error) => return StopReason::Table(error),
+            };
+            let flown = flyer.fly(&table, number);
+            let mut stop = match &flown {
+                Ok(flown) => {
+                    failed = 0;
+                    let error = systematic(flown, &table);
+                    self.take(error, &table, history.flights.len())
+                }
+                Err(FlightFailure::Lost { reason }) => Some(StopReason::Lost(reason.clone())),
+                Err(FlightFailure::Broken { reason, .. }) => {
+                    failed += 1;
+                    self.last = None;
+                    // Nearer to what worked.
+                    self.back();
+                    (failed >= FAILED_FLIGHTS).then(|| StopReason::Broken(reason.clone()))
+                }
+            };
+            history.flights.push(entry(&table, &flown));
+            if stop.is_none() && flown.is_ok() && number < flights {
+                let relinearised = self.linearise(history);
+                if let Some(entry) = history.flights.last_mut() {
+                    entry.relinearised = relinearised;
+                }
+                stop = self.correct(history).err().map(StopReason::Correction);
+            }
+            if let Some(best) = &self.best {
+                history.best = Some(best.flight);
+                history.learned_duration_s = f64::from(best.table.duration_s());
+            }
+            let kept = self.best.as_ref().map_or(&self.plan.table, |best| &best.table);
+            observer.flown(history, kept);
+            if let Some(stop) = stop {
+                return stop;
+            }
+        }
+        let best = self.best.as_ref().map_or(f64::INFINITY, |best| best.error.in_tolerances());
+        StopReason::FlightsUsedUp { best }
+    }
+
+    /// Takes the end of a flight into account. `Some` where that ends the campaign.
+    fn take(&mut self, error: StateError, table: &ManeuverTable, flight: usize) -> Option<StopReason> {
+        let far = error.in_tolerances();
+        let before = self.best.as_ref().map_or(f64::INFINITY, |best| best.error.in_tolerances());
+        self.stalled = if far < PROGRESS * before { 0 } else { self.stalled + 1 };
+        if far < before {
+            let (parameters, table) = (self.parameters.clone(), table.clone());
+            self.best = Some(Best { parameters, error, table, flight });
+        }
+        self.within = if far <= LEARNED { self.within + 1 } else { 0 };
+        if self.within >= LEARNED_FLIGHTS {
+            return Some(StopReason::Converged);
+        }
+        let best = far.min(before);
+        (self.stalled >= STALLED_FLIGHTS).then_some(StopReason::NotConverging { best })
+    }
+
+    /// Computes the Jacobian afresh where the last correction did not halve the error, where the error is so large that the
+    /// maneuver bends on the way, and where the first flight has said what drag there is. Whether it did.
+    fn linearise(&mut self, history: &History) -> bool {
+        let Some(error) = history.flights.last().and_then(|f| f.systematic_error) else { return false };
+        let far = error.in_tolerances();
+        let first = self.response == self.plan.response && far > DRAG_SHOWS;
+        if first {
+            self.response = self.response.with_drag_of(&self.plan.table, &self.parameters, &error);
+        }
+        let halved = self.last.is_none_or(|last| far <= 0.5 * last);
+        let fresh = first || far > STRAIGHT || (!halved && far > 1.0);
+        self.last = Some(far);
+        if let Some(best) = &self.best
+            && far > TOO_FAR * best.error.in_tolerances().max(1.0)
+        {
+            self.trust *= 0.5;
+            self.parameters = best.parameters.clone();
+        }
+        if !fresh {
+            return false;
+        }
+        self.jacobian = self.response.linearised(&self.plan.table, &self.parameters).1;
+        true
+    }
+
+    /// The parameters of the next flight.
+    fn correct(&mut self, history: &History) -> Result<(), CorrectionError> {
+        let last = history.flights.last().and_then(|f| f.systematic_error);
+        // After a step too far it starts again from the best.
+        let error = match (&self.best, last) {
+            (Some(best), _) if best.parameters == self.parameters => best.error,
+            (_, Some(last)) => last,
+            _ => return Ok(()),
+        };
+        let rate_max = f64::from(self.plan.table.limits.rate_max_radps);
+        let correction = correct(&self.jacobian, &error, &self.parameters, rate_max)?;
+        let gain = if error.in_tolerances() <= 1.0 { GAIN_WITHIN } else { self.trust };
+        self.parameters = self.parameters.moved(&(correction.change * gain));
+        Ok(())
+    }
+
+    /// Half-way back to the best parameters.
+    fn back(&mut self) {
+        if let Some(best) = &self.best {
+            self.trust *= 0.5;
+            self.parameters = best.parameters.clone();
+        }
+    }
+}
+
+/// The error at the end less what the start explains.
+fn systematic(flown: &Flown, table: &ManeuverTable) -> StateError {
+    flown.observed.final_error.minus(&effect_of_start(&flown.observed.start_error, table))
+}
+
+fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightEntry {
+    let seen = flown.as_ref().ok();
+    let (outcome, reason) = match flown {
+        Ok(flown) => (flown.outcome, None),
+        Err(FlightFailure::Broken { outcome, reason }) => (*outcome, Some(reason.clone())),
+        Err(FlightFailure::Lost { reason }) => ("lost", Some(reason.clone())),
+    };
+    let mut buffer = [0; MAX_TABLE_BYTES];
+    // The buffer holds every table.
+    let length = table.encode(&mut buffer).unwrap_or(0);
+    FlightEntry {
+        outcome: outcome.to_owned(),
+        reason,
+        duration_s: f64::from(table.duration_s()),
+        start_error: seen.map(|f| f.observed.start_error),
+        final_error: seen.map(|f| f.observed.final_error),
+        systematic_error: seen.map(|f| systematic(f, table)),
+        true_final_error: seen.and_then(|f| f.true_final_error),
+        relinearised: false,
+        table: buffer[..length].iter().map(|byte| format!("{byte:02x}")).collect(),
+    }
+}

@@ -1,0 +1,447 @@
+//! Start and end of a maneuver as motion capture saw them, at the right instant.
+//!
+//! A vehicle may turn at 10 rad/s when a maneuver ends: 5 ms are 0.05 rad. Neither does the host know to the millisecond when
+//! the vehicle began, nor need the cameras' clock and latency be known so well. But the vehicle's record holds what its gyro
+//! measured from the first tick on, and the cameras saw the same turn: the time at which the one lies on the other is the start.
+//!
+//! ```text
+//! θ_cameras(t) ≈ o + s Γ(t − t₀)     Γ = ∫ gyro in the plane;  o, s, t₀ by least squares over the maneuver
+//! p_cameras(t) ≈ p_T + v_T σ + b σ²/2 + ∬ a     σ = t − t₀ − T, over the last moments
+//! ```
+//!
+//! with a the acceleration that the recorded thrust makes in the attitude seen, and b what it leaves out.
+
+use mintime_shared::messages::RecordedTick;
+use mintime_shared::replay::Plan;
+use mintime_shared::table::ManeuverTable;
+use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
+
+use super::history::StateError;
+use super::model::Response;
+use crate::flight::{Phase, Pose, Sight, Witness};
+use crate::mission::rate_in_plane;
+
+/// The start is the mean of this long before it, s: the gate has just held for longer.
+const START_WINDOW_S: f64 = 0.08;
+/// The end is fitted over this long before it, s, ...
+const END_WINDOW_S: f64 = 0.08;
+/// ... and this long after it, s: rotors do not answer at once.
+const END_AFTER_S: f64 = 0.003;
+/// Fewest poses in a window.
+const POSES_MIN: usize = 8;
+/// Fewest poses that time the start.
+const TIMING_POSES_MIN: usize = 20;
+/// How much later than the vehicle turns its gyro says so, s: the chip's low-pass filter.
+const GYRO_DELAY_S: f64 = 0.8e-3;
+/// The host knows the start to this, s: a line, a few poses.
+const START_RANGE_S: f64 = 0.05;
+/// Largest root of the mean square that timing may leave, rad.
+const TIMING_RESIDUAL_MAX_RAD: f64 = 0.05;
+/// Step of the double integration of the acceleration, s.
+const STEP_S: f64 = 0.5e-3;
+
+/// Start and end of a flown maneuver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observed {
+    /// When it began, motion capture's state less the planned start.
+    pub start_error: StateError,
+    /// When the table's duration had passed, motion capture's state less the planned end; positions count from the start.
+    pub final_error: StateError,
+    /// When it began, s on the cameras' clock.
+    pub began_s: f64,
+    /// What timing left, rad, root of the mean square.
+    pub timing_residual_rad: f64,
+}
+
+/// Why a maneuver's start and end are not known.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ObservationError {
+    /// It never began.
+    #[error("the vehicle did not begin the maneuver")]
+    NotFlown,
+    /// The record does not cover it.
+    #[error(
+        "the vehicle's record covers {recorded_s:.2} s of a maneuver of {duration_s:.2} s: its memory is too small for it"
+    )]
+    Record {
+        /// Recorded, s.
+        recorded_s: f64,
+        /// Needed, s.
+        duration_s: f64,
+    },
+    /// The cameras did not see enough.
+    #[error(
+        "the cameras saw {poses} poses {during}, {needed} are needed: see that they cover the whole path"
+    )]
+    Poses {
+        /// When.
+        during: &'static str,
+        /// Seen.
+        poses: usize,
+        /// Needed.
+        needed: usize,
+    },
+    /// Gyro and cameras disagree.
+    #[error(
+        "gyro and cameras disagree by {residual_rad:.3} rad about the turn: check the heading of the markers and the cameras' clock"
+    )]
+    Timing {
+        /// Root of the mean square, rad.
+        residual_rad: f64,
+    },
+}
+
+/// A witness that keeps the poses around a maneuver, and hands everything on.
+#[derive(Debug)]
+pub struct Eyes<'a, W> {
+    witness: &'a mut W,
+    poses: Vec<Pose>,
+    began_s: Option<f64>,
+}
+
+impl<'a, W: Witness> Eyes<'a, W> {
+    /// Has seen nothing yet.
+    pub fn new(witness: &'a mut W) -> Self {
+        Self { witness, poses: Vec::new(), began_s: None }
+    }
+
+    /// Start and end of the maneuver that was flown.
+    ///
+    /// # Errors
+    /// [`ObservationError`].
+    pub fn observed(
+        &self,
+        table: &ManeuverTable,
+        start_m: Vector3<f64>,
+        record: &[RecordedTick],
+        response: &Response,
+    ) -> Result<Observed, ObservationError> {
+        let about_s = self.began_s.ok_or(ObservationError::NotFlown)?;
+        observe(&Seen { poses: &self.poses, about_s, start_m, record }, table, response)
+    }
+}
+
+impl<W: Witness> Witness for Eyes<'_, W> {
+    fn phase(&mut self, phase: Phase, now_s: f64) {
+        self.witness.phase(phase, now_s);
+    }
+
+    fn event(&mut self, now_s: f64, text: &str) {
+        self.witness.event(now_s, text);
+    }
+
+    fn saw(&mut self, sight: &Sight) {
+        if matches!(sight.phase, Phase::Hover | Phase::Maneuver | Phase::Catch) {
+            self.poses.push(sight.pose);
+        }
+        if let Some(since_s) = sight.maneuver_since_s {
+            self.began_s.get_or_insert(since_s);
+        }
+        self.witness.saw(sight);
+    }
+}
+
+/// What is known of a flight.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// Poses from before the maneuver until after it, levelled.
+    pub poses: &'a [Pose],
+    /// When the host believes that it began, s.
+    pub about_s: f64,
+    /// Where it should have begun, world frame, m.
+    pub start_m: Vector3<f64>,
+    /// The vehicle's record.
+    pub record: &'a [RecordedTick],
+}
+
+/// A pose in the maneuver's plane.
+#[derive(Clone, Copy, Debug)]
+struct PlanarPose {
+    time_s: f64,
+    x_m: f64,
+    z_m: f64,
+    theta_rad: f64,
+}
+
+/// Start and end of a flight.
+///
+/// # Errors
+/// [`ObservationError`].
+pub fn observe(
+    seen: &Seen<'_>,
+    table: &ManeuverTable,
+    response: &Response,
+) -> Result<Observed, ObservationError> {
+    let heading_rad = f64::from(table.heading_rad);
+    let duration_s = f64::from(Plan::new(table).duration_s());
+    let turned = Turned::new(seen.record, heading_rad, duration_s)?;
+    let poses = planar(seen.poses, heading_rad);
+    let timing = time_start(&poses, &turned, seen.about_s, duration_s)?;
+    let (began_s, end_s) = (timing.began_s, timing.began_s + duration_s);
+
+    let before = within(&poses, began_s - START_WINDOW_S, began_s, "just before the maneuver")?;
+    let start = |value: fn(&PlanarPose) -> f64| line_at(&before, began_s, value);
+    let ((x0, vx0), (z0, vz0)) = (start(|p| p.x_m), start(|p| p.z_m));
+    let theta0 = before.iter().map(|p| p.theta_rad).sum::<f64>() / before.len() as f64;
+
+    let last = within(&poses, end_s - END_WINDOW_S, end_s + END_AFTER_S, "at the end of the maneuver")?;
+    let theta = |since_s: f64| timing.offset_rad + timing.scale * turned.angle_at(since_s);
+    let left = last.iter().map(|p| p.theta_rad - theta(p.time_s - began_s)).sum::<f64>() / last.len() as f64;
+    let theta_end = theta(duration_s) + left;
+    let pull = Pull::new(seen.record, response, duration_s, &|since_s| theta(since_s) + left);
+    let (x, vx) = end_of(&last, end_s, |p| p.x_m, |sigma| pull.at(sigma)[0]);
+    let (z, vz) = end_of(&last, end_s, |p| p.z_m, |sigma| pull.at(sigma)[1]);
+
+    let (sin, cos) = heading_rad.sin_cos();
+    let (from, to) = (table.start.cast::<f64>(), table.end.cast::<f64>());
+    Ok(Observed {
+        start_error: StateError {
+            x_m: x0 - (seen.start_m.x * cos + seen.start_m.y * sin),
+            vx_mps: vx0 - from.vx,
+            z_m: z0 - seen.start_m.z,
+            vz_mps: vz0 - from.vz,
+            theta_rad: theta0 - from.theta,
+        },
+        final_error: StateError {
+            x_m: x - x0 - (to.x - from.x),
+            vx_mps: vx - to.vx,
+            z_m: z - z0 - (to.z - from.z),
+            vz_mps: vz - to.vz,
+            theta_rad: theta_end - to.theta,
+        },
+        began_s,
+        timing_residual_rad: timing.residual_rad,
+    })
+}
+
+/// What of an error at the end comes from the start: a speed drifts, a tilt turns the whole path.
+///
+/// δx = δẋ T + δθ (Δz + gT²/2), δz = δż T − δθ Δx, δẋ = δẋ + δθ (Δż + gT), δż = δż − δθ Δẋ, δθ = δθ, with Δ the planned change over
+/// the maneuver. Positions count from the start.
+pub fn effect_of_start(start: &StateError, table: &ManeuverTable) -> StateError {
+    let duration_s = f64::from(table.duration_s());
+    let gravity = f64::from(table.limits.gravity_mps2);
+    let gain = table.end.cast::<f64>().minus(table.start.cast());
+    let tilt = start.theta_rad;
+    StateError {
+        x_m: start.vx_mps * duration_s + tilt * (gain.z + gravity * duration_s * duration_s / 2.0),
+        vx_mps: start.vx_mps + tilt * (gain.vz + gravity * duration_s),
+        z_m: start.vz_mps * duration_s - tilt * gain.x,
+        vz_mps: start.vz_mps - tilt * gain.vx,
+        theta_rad: tilt,
+    }
+}
+
+/// Poses in the plane, with θ unwrapped.
+fn planar(poses: &[Pose], heading_rad: f64) -> Vec<PlanarPose> {
+    let (sin, cos) = heading_rad.sin_cos();
+    let along = |v: &Vector3<f64>| v.x * cos + v.y * sin;
+    let turn = core::f64::consts::TAU;
+    let mut last = 0.0_f64;
+    poses
+        .iter()
+        .map(|pose| {
+            let up = pose.attitude * Vector3::z();
+            let wrapped = along(&up).atan2(up.z);
+            last = wrapped + turn * ((last - wrapped) / turn).round();
+            let (x_m, z_m) = (along(&pose.position_m), pose.position_m.z);
+            PlanarPose { time_s: pose.captured_s, x_m, z_m, theta_rad: last }
+        })
+        .collect()
+}
+
+/// The poses between two times.
+fn within(
+    poses: &[PlanarPose],
+    from_s: f64,
+    to_s: f64,
+    during: &'static str,
+) -> Result<Vec<PlanarPose>, ObservationError> {
+    let found: Vec<_> = poses.iter().filter(|p| (from_s..=to_s).contains(&p.time_s)).copied().collect();
+    if found.len() < POSES_MIN {
+        return Err(ObservationError::Poses { during, poses: found.len(), needed: POSES_MIN });
+    }
+    Ok(found)
+}
+
+/// Value at a time, and slope, of the straight line through poses.
+fn line_at(poses: &[PlanarPose], at_s: f64, value: fn(&PlanarPose) -> f64) -> (f64, f64) {
+    let design = DMatrix::from_fn(poses.len(), 2, |i, j| (poses[i].time_s - at_s).powi(j as i32));
+    let values = DVector::from_iterator(poses.len(), poses.iter().map(value));
+    least_squares(&design, &values).map_or((f64::NAN, f64::NAN), |c| (c[0], c[1]))
+}
+
+/// Value and slope at the end: a parabola through what the known acceleration leaves.
+fn end_of(
+    poses: &[PlanarPose],
+    end_s: f64,
+    value: fn(&PlanarPose) -> f64,
+    known: impl Fn(f64) -> f64,
+) -> (f64, f64) {
+    let sigma = |i: usize| poses[i].time_s - end_s;
+    let design = DMatrix::from_fn(poses.len(), 3, |i, j| sigma(i).powi(j as i32));
+    let values = DVector::from_fn(poses.len(), |i, _| value(&poses[i]) - known(sigma(i)));
+    least_squares(&design, &values).map_or((f64::NAN, f64::NAN), |c| (c[0], c[1]))
+}
+
+fn least_squares(design: &DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+    design.clone().svd(true, true).solve(values, 1e-12).ok()
+}
+
+/// The angle that the gyro says the vehicle has turned by, in the maneuver's plane.
+struct Turned {
+    /// Time since the first tick, s; rate, rad/s; angle, rad.
+    nodes: Vec<(f64, f64, f64)>,
+}
+
+impl Turned {
+    fn new(record: &[RecordedTick], heading_rad: f64, duration_s: f64) -> Result<Self, ObservationError> {
+        let mut nodes: Vec<(f64, f64, f64)> = Vec::with_capacity(record.len());
+        let mut time_s = 0.0;
+        for tick in record {
+            time_s += f64::from(tick.interval_us) * 1e-6;
+            // Ticks without a sample are bridged.
+            let Some(gyro) = tick.gyro_radps else { continue };
+            let rate = rate_in_plane(gyro.map(f64::from), heading_rad);
+            let angle = nodes.last().map_or(0.0, |(t, r, a)| a + 0.5 * (r + rate) * (time_s - t));
+            nodes.push((time_s, rate, angle));
+        }
+        let recorded_s = nodes.last().map_or(0.0, |n| n.0);
+        // The last tick comes up to a period before T; missing ones are bridged.
+        if recorded_s < duration_s - 0.01 {
+            return Err(ObservationError::Record { recorded_s, duration_s });
+        }
+        Ok(Self { nodes })
+    }
+
+    /// Rate and angle at a time since the start of what the vehicle did: what its gyro says a moment later.
+    fn at(&self, since_s: f64) -> (f64, f64) {
+        let time_s = since_s + GYRO_DELAY_S;
+        let after = self.nodes.partition_point(|n| n.0 <= time_s);
+        let (Some(a), b) = (self.nodes.get(after.saturating_sub(1)), self.nodes.get(after)) else {
+            return (0.0, 0.0);
+        };
+        let dt = time_s - a.0;
+        let slope = b.map_or(0.0, |b| (b.1 - a.1) / (b.0 - a.0).max(1e-6));
+        let before = if after == 0 { 0.0 } else { slope };
+        (a.1 + before * dt, a.2 + a.1 * dt + 0.5 * before * dt * dt)
+    }
+
+    fn angle_at(&self, since_s: f64) -> f64 {
+        self.at(since_s).1
+    }
+}
+
+/// When a maneuver began, and how the gyro's angle becomes the cameras'.
+struct Timing {
+    began_s: f64,
+    offset_rad: f64,
+    scale: f64,
+    residual_rad: f64,
+}
+
+/// Lays the gyro's turn on the cameras'.
+fn time_start(
+    poses: &[PlanarPose],
+    turned: &Turned,
+    about_s: f64,
+    duration_s: f64,
+) -> Result<Timing, ObservationError> {
+    let mut timing = Timing { began_s: about_s, offset_rad: 0.0, scale: 1.0, residual_rad: f64::INFINITY };
+    for _ in 0..30 {
+        let since = |p: &PlanarPose| p.time_s - timing.began_s;
+        let used: Vec<_> = poses.iter().filter(|p| (0.0..duration_s).contains(&since(p))).collect();
+        if used.len() < TIMING_POSES_MIN {
+            let (poses, needed) = (used.len(), TIMING_POSES_MIN);
+            return Err(ObservationError::Poses { during: "in the maneuver", poses, needed });
+        }
+        let mut normal = SMatrix::<f64, 3, 3>::zeros();
+        let mut right = SVector::<f64, 3>::zeros();
+        let mut squares = 0.0;
+        for pose in &used {
+            let (rate, angle) = turned.at(since(pose));
+            let residual = pose.theta_rad - timing.offset_rad - timing.scale * angle;
+            let row = SVector::<f64, 3>::new(1.0, angle, -timing.scale * rate);
+            normal += row * row.transpose();
+            right += row * residual;
+            squares += residual * residual;
+        }
+        timing.residual_rad = (squares / used.len() as f64).sqrt();
+        let Some(change) = normal.lu().solve(&right) else { break };
+        timing.offset_rad += change[0];
+        timing.scale += change[1];
+        timing.began_s += change[2].clamp(-0.01, 0.01);
+        if (timing.began_s - about_s).abs() > START_RANGE_S || change[2].abs() < 1e-7 {
+            break;
+        }
+    }
+    let credible = (timing.began_s - about_s).abs() <= START_RANGE_S && (timing.scale - 1.0).abs() < 0.2;
+    if !credible || timing.residual_rad > TIMING_RESIDUAL_MAX_RAD || timing.residual_rad.is_nan() {
+        return Err(ObservationError::Timing { residual_rad: timing.residual_rad });
+    }
+    Ok(timing)
+}
+
+/// The way that the known acceleration makes around the end: zero, with its slope, at the end.
+struct Pull {
+    /// Ways at multiples of [`STEP_S`], backwards from the end and forwards from it.
+    before: Vec<[f64; 2]>,
+    after: Vec<[f64; 2]>,
+}
+
+impl Pull {
+    fn new(
+        record: &[RecordedTick],
+        response: &Response,
+        duration_s: f64,
+        theta: &dyn Fn(f64) -> f64,
+    ) -> Self {
+        let thrust = lagged_thrust(record, response);
+        let acceleration = |since_s: f64| {
+            let index = (since_s / STEP_S).round().max(0.0) as usize;
+            let force = response.thrust_scale * thrust.get(index).or(thrust.last()).copied().unwrap_or(0.0);
+            let (sin, cos) = theta(since_s).sin_cos();
+            [force * sin, force * cos]
+        };
+        let integrate = |direction: f64| {
+            let (mut way, mut speed) = ([0.0; 2], [0.0; 2]);
+            let mut ways = vec![way];
+            for i in 0..(2.0 * END_WINDOW_S / STEP_S) as u32 {
+                // The middle of the step stands for all of it.
+                let at = acceleration(duration_s + direction * STEP_S * (f64::from(i) + 0.5));
+                for axis in 0..2 {
+                    way[axis] += STEP_S * (speed[axis] + 0.5 * STEP_S * at[axis]);
+                    speed[axis] += STEP_S * at[axis];
+                }
+                ways.push(way);
+            }
+            ways
+        };
+        Self { before: integrate(-1.0), after: integrate(1.0) }
+    }
+
+    /// Way along x and z at a time from the end, m.
+    fn at(&self, sigma_s: f64) -> [f64; 2] {
+        let ways = if sigma_s < 0.0 { &self.before } else { &self.after };
+        let place = sigma_s.abs() / STEP_S;
+        let index = (place.floor() as usize).min(ways.len() - 2);
+        let part = place - index as f64;
+        core::array::from_fn(|axis| ways[index][axis] * (1.0 - part) + ways[index + 1][axis] * part)
+    }
+}
+
+/// Thrust per mass that the recorded commands make of rotors with a lag, at multiples of [`STEP_S`], m/s².
+fn lagged_thrust(record: &[RecordedTick], response: &Response) -> Vec<f64> {
+    let keep = if response.thrust_lag_s > 0.0 { (-STEP_S / response.thrust_lag_s).exp() } else { 0.0 };
+    let mut thrust = record.first().map_or(0.0, |t| f64::from(t.thrust_mps2));
+    let mut values = vec![thrust];
+    let mut until_s = 0.0;
+    for (tick, next) in record.iter().zip(record.iter().skip(1).map(Some).chain([None])) {
+        until_s += next.map_or(STEP_S, |n| f64::from(n.interval_us) * 1e-6);
+        while (values.len() as f64) * STEP_S <= until_s {
+            thrust = f64::from(tick.thrust_mps2) + (thrust - f64::from(tick.thrust_mps2)) * keep;
+            values.push(thrust);
+        }
+    }
+    values
+}

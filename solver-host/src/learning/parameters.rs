@@ -1,0 +1,101 @@
+//! The numbers that learning may change in a table: the duration of each segment and, where there are singular arcs, the
+//! width and the peak time that they share.
+//!
+//! The width is learned as its logarithm, so that it keeps its sign and never reaches zero.
+
+use mintime_shared::model::Segment;
+use mintime_shared::table::{ArcProfile, Kind, MAX_SEGMENTS, ManeuverTable, TableError, TableHeader};
+use nalgebra::DVector;
+
+/// Most parameters: every segment, and the arc's two.
+pub const MAX_PARAMETERS: usize = MAX_SEGMENTS + 2;
+/// A profile wider than this is a straight line, s: its numbers do nothing.
+const STRAIGHT_S: f64 = 100.0;
+/// No segment gets shorter, s: one tick.
+pub(super) const SHORTEST_S: f64 = 1.25e-3;
+/// What counts as an equally large change: of a duration, s, ...
+const DURATION_SCALE_S: f64 = 0.02;
+/// ... of the logarithm of the width, ...
+const WIDTH_SCALE: f64 = 0.2;
+/// ... and of the peak time over the width.
+const PEAK_SCALE: f64 = 0.2;
+/// How far the arcs' peak rate stays below the limit, as a part of it: rounding to `f32`.
+const RATE_MARGIN: f64 = 1.0e-4;
+
+/// The parameters of a table, in the order of a Jacobian's columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// Of each segment, s.
+    pub durations_s: Vec<f64>,
+    /// Width and peak time of the arcs, s; `None` without arcs, or where they are straight.
+    pub arc: Option<(f64, f64)>,
+}
+
+impl Parameters {
+    /// Those of a table.
+    pub fn of(table: &ManeuverTable) -> Self {
+        let arc = table.arcs.map(|arc| (f64::from(arc.width_s), f64::from(arc.peak_s)));
+        Self {
+            durations_s: table.segments().map(|s| f64::from(s.duration)).collect(),
+            arc: arc.filter(|(width_s, _)| width_s.abs() < STRAIGHT_S),
+        }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.durations_s.len() + if self.arc.is_some() { 2 } else { 0 }
+    }
+
+    /// T, s.
+    pub fn duration_s(&self) -> f64 {
+        self.durations_s.iter().sum()
+    }
+
+    /// What counts as an equally large change of each: s, and 1 for the logarithm of the width.
+    pub fn scales(&self) -> DVector<f64> {
+        let durations = self.durations_s.iter().map(|_| DURATION_SCALE_S);
+        let arc = self.arc.iter().flat_map(|(width_s, _)| [WIDTH_SCALE, PEAK_SCALE * width_s.abs()]);
+        DVector::from_vec(durations.chain(arc).collect())
+    }
+
+    /// The least change of each that is allowed: no segment vanishes, and no arc gets so narrow that its peak exceeds a rate,
+    /// rad/s.
+    pub(super) fn lower_bounds(&self, rate_max_radps: f64) -> DVector<f64> {
+        let durations = self.durations_s.iter().map(|d| SHORTEST_S - d);
+        let narrowest = |width_s: f64| ((1.0 + RATE_MARGIN) / (rate_max_radps * width_s.abs())).ln();
+        let arc = self.arc.iter().flat_map(|(width_s, _)| [narrowest(*width_s).min(0.0), f64::NEG_INFINITY]);
+        DVector::from_vec(durations.chain(arc).collect())
+    }
+
+    /// The parameters after a change of each.
+    #[must_use]
+    pub fn moved(&self, change: &DVector<f64>) -> Self {
+        let count = self.durations_s.len();
+        Self {
+            durations_s: self.durations_s.iter().zip(change).map(|(d, by)| d + by).collect(),
+            arc: self.arc.map(|(width, peak)| (width * change[count].exp(), peak + change[count + 1])),
+        }
+    }
+
+    /// The table with these parameters instead of its own, marked as learned.
+    ///
+    /// # Errors
+    /// The reason for which a vehicle would refuse it.
+    pub fn into_table(&self, of: &ManeuverTable) -> Result<ManeuverTable, TableError> {
+        let header = TableHeader {
+            vehicle: of.vehicle,
+            kind: Kind::Learned,
+            link: of.link,
+            limits: of.limits,
+            heading_rad: of.heading_rad,
+            start: of.start,
+            end: of.end,
+        };
+        let learned = self.arc.map(|(width, peak)| ArcProfile { width_s: width as f32, peak_s: peak as f32 });
+        let segments = of
+            .segments()
+            .zip(&self.durations_s)
+            .map(|(s, duration)| Segment { inputs: s.inputs, duration: *duration as f32 });
+        ManeuverTable::new(header, learned.or(of.arcs), segments)
+    }
+}
