@@ -48,6 +48,15 @@ mod group {
     pub(super) const CHECK: usize = 7;
 }
 
+/// Where a table's numbers come from, in a word.
+pub(super) fn origin(table: &ManeuverTable) -> &'static str {
+    match table.kind {
+        Kind::Extremal => "extremal",
+        Kind::Retimed => "retimed",
+        Kind::Learned => "learned",
+    }
+}
+
 /// Puts fields one after the other.
 struct Walk<'a> {
     bytes: &'a [u8],
@@ -97,12 +106,7 @@ impl TableBytes {
             _ => word(4),
         };
         walk.field(4, group::NAMES, "vehicle", vehicle, "hash of the vehicle it was made for");
-        let kind = match table.kind {
-            Kind::Extremal => "extremal",
-            Kind::Retimed => "retimed",
-            Kind::Learned => "learned",
-        };
-        walk.field(1, group::KIND, "kind", kind.to_owned(), "where the numbers come from");
+        walk.field(1, group::KIND, "kind", origin(table).to_owned(), "where the numbers come from");
         let link = match table.link {
             LinkPolicy::Finish => "finish",
             LinkPolicy::Abandon => "abandon",

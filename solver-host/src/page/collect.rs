@@ -1,6 +1,6 @@
 //! A flight as a page.
 
-use super::bytes::TableBytes;
+use super::bytes::{TableBytes, origin};
 use super::certificate::Laws;
 use super::data::{Fact, Kind, Moment, Page, Span, Timing};
 use super::health::counters;
@@ -50,6 +50,8 @@ impl Page {
             facts: facts(flown),
             duration_s: f64::from(flown.prepared.table.duration_s()),
             limits: picture.limits,
+            origin: origin(&flown.prepared.table),
+            target: flown.prepared.table.end.cast(),
             segments: picture.segments.clone(),
             plan: PlanSeries::new(&picture.planned),
             flight,
@@ -74,7 +76,11 @@ fn facts(flown: &Flown) -> Vec<Fact> {
         Fact::new("duration T", format!("{:.4} s", prepared.table.duration_s())),
         Fact::new(
             "certificate",
-            if prepared.solution.is_some() { "verified" } else { "none: table from a file" },
+            match (&prepared.solution, origin(&prepared.table)) {
+                (Some(_), _) => "verified",
+                (None, "learned") => "none: learned",
+                (None, _) => "not with the file",
+            },
         ),
         Fact::new("table", format!("{} bytes", prepared.bytes.len())),
         Fact::new("peak speed", format!("{:.2} m/s", prepared.extent.peak_speed_mps)),

@@ -1,6 +1,6 @@
 //! What a page shows, as plain data. Serialised it is the JSON of the page's element `data`.
 
-use mintime_shared::model::{Limits, Segment};
+use mintime_shared::model::{Limits, Segment, State};
 use serde::Serialize;
 
 use super::bytes::TableBytes;
@@ -33,6 +33,11 @@ pub struct Page {
     pub duration_s: f64,
     /// Limits it was planned with.
     pub limits: Limits<f64>,
+    /// Where the table's numbers come from: `extremal`, `retimed` or `learned`. A learned one misses its end in the model, to
+    /// reach it in the world.
+    pub origin: &'static str,
+    /// Where it is to end.
+    pub target: State<f64>,
     /// Its inputs, durations in s.
     pub segments: Vec<Segment<f64>>,
     /// The plan over time.

@@ -56,7 +56,7 @@ impl From<&History> for Learning {
             .repeats
             .iter()
             .enumerate()
-            .map(|(i, entry)| flight(format!("r{}", i + 1), entry, "the best table again"));
+            .map(|(i, entry)| flight(format!("r{}", i + 1), entry, "repeat"));
         Self {
             components: vec![
                 component("position", "m", POSITION_TOLERANCE_M),
@@ -65,7 +65,7 @@ impl From<&History> for Learning {
             ],
             flights: taught.chain(repeated).collect(),
             verdict: format!(
-                "{}. Duration: learned {:.4} s, planned for this vehicle {:.4} s, optimum without lag and drag {:.4} s.",
+                "Outcome: {}. Duration: learned {:.4} s, planned for this vehicle {:.4} s, optimum without lag and drag {:.4} s.",
                 history.reason.as_deref().unwrap_or("learning is under way"),
                 history.learned_duration_s,
                 history.planned_duration_s,

@@ -16,6 +16,13 @@ pub(super) fn render(section: &str, page: &Page) -> String {
         "facts" => definitions(&mut html, &page.facts),
         "certificate" => match &page.certificate {
             Some(laws) => certificate(&mut html, laws, page.duration_s),
+            None if page.origin == "learned" => {
+                html.element(
+                    "p",
+                    "A learned table has none. Its durations make up for drag, lag and whatever else the planning model does not \
+                     know: in the model it misses its end, to reach it in the world.",
+                );
+            }
             None => {
                 html.element(
                     "p",

@@ -39,6 +39,8 @@ fn page_of(planned: usize, flown: usize, seen: usize, recorded: usize) -> Page {
         facts: vec![Fact::new("duration T", "1.4112 s")],
         duration_s: 1.4112,
         limits: Limits::TABLE_I,
+        origin: "extremal",
+        target: State::at_rest(5.0, 5.0),
         segments: vec![Segment {
             inputs: Inputs { rate: RateMode::Plus, thrust: ThrustLevel::Max },
             duration: 1.4112,

@@ -2,10 +2,12 @@
 
 const DEGREES = 180 / Math.PI;
 const FLOWN = page.flown_is;
+/** A learned table misses its end in the model, on purpose: what it does there is not what is wanted. */
+const PLANNED = page.origin === "learned" ? "model" : "plan";
 
 /** A curve: its source, column and name; `alternative` where the source lacks it. */
 const curve = (kind, source, name, label, more) => ({ kind, source, name, label, ...more });
-const planned = (name) => curve("plan", "plan", name, "plan");
+const planned = (name) => curve("plan", "plan", name, PLANNED);
 const flown = (name) => curve("flown", "flight", name, FLOWN);
 const seen = (name) => curve("cameras", "cameras", name, "cameras");
 const own = (kind, name, label) => curve(kind, "flight", name, label, { alternative: "record", held: true });

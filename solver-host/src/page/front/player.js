@@ -144,8 +144,8 @@ class Now {
     };
     this.phase = row("phase");
     this.speed = row("speed");
-    this.off = row("from the plan");
-    this.angle = row("pitch from the plan");
+    this.off = row(`from the ${PLANNED}`);
+    this.angle = row(`pitch from the ${PLANNED}`);
   }
 
   measure() { return false; }

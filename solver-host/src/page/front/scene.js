@@ -16,7 +16,7 @@ class Scene {
     this.ghost = this.vehicle("plan");
     this.arrow = svg("path", { class: "thrust" }, area);
     this.flown = this.vehicle("flown");
-    for (const [kind, label] of [["plan", "planned path"], ["ghost", "planned vehicle"], ["flown", `flown (${FLOWN})`], ["command", "thrust"]]) {
+    for (const [kind, label] of [["plan", `path, ${PLANNED}`], ["ghost", `vehicle, ${PLANNED}`], ["flown", `flown (${FLOWN})`], ["command", "thrust"]]) {
       html("span", { class: `key c-${kind}` }, label, legend);
     }
     [this.width, this.height] = [0, 0];
@@ -66,8 +66,10 @@ class Scene {
     this.planned.setAttribute("d", this.path(plan, page.began ? view : whole));
     this.toCome.setAttribute("d", this.path(sources.flight, view));
     this.places.replaceChildren();
-    for (const i of plan.t.length ? [0, plan.t.length - 1] : []) {
-      svg("circle", { class: "place", cx: this.x(plan.x[i]), cy: this.z(plan.z[i]), r: 4 }, this.places);
+    const start = plan.t.length ? [{ x: plan.x[0], z: plan.z[0], what: "start" }] : [];
+    for (const { x, z, what } of [...start, { ...page.target, what: "where it is to end" }]) {
+      const place = svg("circle", { class: "place", cx: this.x(x), cy: this.z(z), r: 4 }, this.places);
+      svg("title", {}, place).textContent = what;
     }
   }
 
