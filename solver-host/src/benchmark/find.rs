@@ -57,6 +57,13 @@ impl Goal {
         Self { sample: Sample::planar(0.0, state, 0.0) }
     }
 
+    /// Its place (x, z), m, if it is a rest in the x-z plane.
+    pub fn planar_rest(&self) -> Option<[f64; 2]> {
+        let Sample { position_m, velocity_mps, thrust_axis, .. } = self.sample;
+        let rest = velocity_mps == Vector3::zeros() && thrust_axis == Vector3::z() && position_m.y == 0.0;
+        rest.then_some([position_m.x, position_m.z])
+    }
+
     /// How far a sample is, as parts of the tolerance: at most 1 is within it.
     fn distance(&self, sample: &Sample, tolerance: &Tolerance) -> f64 {
         let off = self.off(sample);

@@ -36,12 +36,12 @@ impl Default for Gains {
     /// Tuned as docs/benchmarking.md says.
     fn default() -> Self {
         Self {
-            horizontal_radps: 2.75,
-            horizontal_damping: 0.91,
-            vertical_radps: 5.2,
-            vertical_damping: 1.05,
-            pitch_per_s: 18.5,
-            pitch_max_rad: 1.46,
+            horizontal_radps: 2.7,
+            horizontal_damping: 0.9,
+            vertical_radps: 5.0,
+            vertical_damping: 1.0,
+            pitch_per_s: 18.0,
+            pitch_max_rad: 1.45,
         }
     }
 }

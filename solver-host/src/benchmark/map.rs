@@ -118,13 +118,15 @@ fn cell(gains: &Gains, rules: &Rules, x_m: f64, z_m: f64) -> Cell {
 }
 
 impl ScoreMap {
-    /// Every point with its score, where it has one.
+    /// The displacements (x, z), m, in the order of the cells.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        (0..self.cells.len()).map(|index| self.grid.point(index))
+    }
+
+    /// The displacement and score of every point that has one.
     pub fn scores(&self) -> impl Iterator<Item = (f64, f64, f64)> {
-        self.cells.iter().enumerate().filter_map(|(i, cell)| match cell {
-            Cell::Scored { score, .. } => {
-                let (x_m, z_m) = self.grid.point(i);
-                Some((x_m, z_m, *score))
-            }
+        self.points().zip(&self.cells).filter_map(|((x_m, z_m), cell)| match cell {
+            Cell::Scored { score, .. } => Some((x_m, z_m, *score)),
             Cell::Here | Cell::Failed(_) => None,
         })
     }
@@ -137,8 +139,7 @@ impl ScoreMap {
     /// The map as CSV. Columns: displacement, T_controller, T*, score; a reason where there is none.
     pub fn csv(&self) -> String {
         let mut out = String::from("x_m,z_m,controller_s,optimal_s,score,remark\n");
-        for (i, cell) in self.cells.iter().enumerate() {
-            let (x, z) = self.grid.point(i);
+        for ((x, z), cell) in self.points().zip(&self.cells) {
             // Writing to a string does not fail.
             let _ = match cell {
                 Cell::Scored { duration_s, optimal_s, score } => {
