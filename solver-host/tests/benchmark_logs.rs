@@ -86,7 +86,6 @@ fn both_readers_tell_of_the_same_flight() {
 #[test]
 fn the_only_two_hovers_are_found() {
     let flight = read_csv(csv().as_bytes()).expect("CSV");
-    // Half a second at rest before the maneuver is there to the sample; ask for a little less.
     let found = score(&flight, None, &Rules { dwell_s: 0.45, ..Rules::default() }).expect("two hovers");
     assert!((found.score - measured(&flight).score).abs() < 1e-6);
     let rules = Rules { dwell_s: 0.65, ..Rules::default() };
@@ -331,11 +330,8 @@ fn confused_units_are_told() {
     }
     // The pitch of aeroplanes, nose up.
     let mirrored = scaled(1.0, 1.0, 1.0, -1.0).expect("a score");
-    assert!(
-        matches!(mirrored.remarks[..], [Remark::Misaligned { mirrored: true, .. }]),
-        "{:?}",
-        mirrored.remarks
-    );
+    let told = mirrored.remarks.iter().any(|r| matches!(r, Remark::Misaligned { mirrored: true, .. }));
+    assert!(told, "{:?}", mirrored.remarks);
     // Time stretched a hundredfold, with the velocities that belong to it: a vehicle that tilts and does not move.
     let slow = scaled(100.0, 1.0, 0.01, 1.0).expect("a score");
     let told = slow.remarks.iter().any(|r| matches!(r, Remark::Misaligned { mirrored: false, .. }));
@@ -351,10 +347,10 @@ fn states_that_do_not_occur_are_told_with_the_nearest() {
     assert!(never.to_string().contains("0.300 m"), "{never}");
     let exchanged = score(&flight, Some((end, start)), &rules).expect_err("the wrong way round");
     assert!(exchanged.to_string().contains("exchange"), "{exchanged}");
-    let early = flight.window(0.0, 2.0).expect("a window");
-    let (_, last_s) = early.span_s();
+    // A tenth of a second after the arrival the log ends.
+    let early = flight.window(0.0, 0.6 + maneuver().duration_s()).expect("a window");
     let cut = score(&early, Some((start, end)), &rules).map(|s| s.leg.arrival_s);
-    assert!(matches!(cut, Err(BenchmarkError::NotHeld { arrived_s: Some(_), .. })), "{cut:?} {last_s}");
+    assert!(matches!(cut, Err(BenchmarkError::NotHeld { arrived_s: Some(_), .. })), "{cut:?}");
     assert!(matches!(flight.window(9.0, 10.0), Err(BenchmarkError::Window { .. })));
     let same = score(&flight, Some((start, Goal::hover([0.05, 0.0, 0.0]))), &rules);
     assert!(matches!(same, Err(BenchmarkError::SameStates)));

@@ -96,6 +96,13 @@ pub struct Leg {
     pub arrival_s: f64,
 }
 
+impl Leg {
+    /// From departure to arrival, s.
+    pub fn duration_s(&self) -> f64 {
+        self.arrival_s - self.departure_s
+    }
+}
+
 /// A time within tolerance of a state, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Visit {

@@ -13,7 +13,7 @@ use super::error::BenchmarkError;
 use super::find::{Arrival, Goal, Tolerance};
 use super::flight::{Flight, Sample};
 use super::read_error::ReadError;
-use super::score::{Rules, Score, score};
+use super::score::{Rules, Score, durations, score};
 
 /// Gains of the linear controller. All above zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -166,12 +166,28 @@ fn within(state: &State<f64>, goal: &State<f64>, tolerance: &Tolerance) -> bool 
         && off.theta.abs() <= tolerance.angle_rad
 }
 
-/// The score of the linear controller from rest at the origin to rest at a place (m).
+/// The score of the linear controller from rest at the origin to rest at a place (m), once it has settled there.
 ///
 /// # Errors
 /// Those of [`fly_linear`] and [`score`].
 pub fn score_linear(gains: &Gains, rules: &Rules, x_m: f64, z_m: f64) -> Result<Score, BenchmarkError> {
-    let ends = (Goal::hover([0.0; 3]), Goal::hover([x_m, 0.0, z_m]));
-    let rules = Rules { arrival: Some(Arrival::Settle(rules.dwell_s)), ..*rules };
-    score(&fly_linear(gains, &rules, x_m, z_m)?, Some(ends), &rules)
+    score(&fly_linear(gains, rules, x_m, z_m)?, Some(ends(x_m, z_m)), &settling(rules))
+}
+
+/// T_controller and T* (s) of [`score_linear`].
+pub(super) fn durations_linear(
+    gains: &Gains,
+    rules: &Rules,
+    x_m: f64,
+    z_m: f64,
+) -> Result<(f64, f64), BenchmarkError> {
+    durations(&fly_linear(gains, rules, x_m, z_m)?, ends(x_m, z_m), &settling(rules))
+}
+
+fn ends(x_m: f64, z_m: f64) -> (Goal, Goal) {
+    (Goal::hover([0.0; 3]), Goal::hover([x_m, 0.0, z_m]))
+}
+
+fn settling(rules: &Rules) -> Rules {
+    Rules { arrival: Some(Arrival::Settle(rules.dwell_s)), ..*rules }
 }

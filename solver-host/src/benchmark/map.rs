@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::error::BenchmarkError;
-use super::linear::{Gains, score_linear};
+use super::linear::{Gains, durations_linear};
 use super::score::Rules;
 
 /// Displacements from rest to rest: the points of a grid, in rows of equal z from low to high.
@@ -107,12 +107,8 @@ fn cell(gains: &Gains, rules: &Rules, x_m: f64, z_m: f64) -> Cell {
     if x_m.hypot(z_m) <= 2.0 * rules.tolerance.position_m {
         return Cell::Here;
     }
-    match score_linear(gains, rules, x_m, z_m) {
-        Ok(score) => Cell::Scored {
-            duration_s: score.duration_s,
-            optimal_s: score.optimal.extremal.duration_s(),
-            score: score.score,
-        },
+    match durations_linear(gains, rules, x_m, z_m) {
+        Ok((duration_s, optimal_s)) => Cell::Scored { duration_s, optimal_s, score: duration_s / optimal_s },
         Err(error) => Cell::Failed(error.to_string()),
     }
 }

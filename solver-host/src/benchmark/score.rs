@@ -9,7 +9,7 @@ use super::error::BenchmarkError;
 use super::find::{Arrival, Goal, Leg, Tolerance, find_leg, hovers};
 use super::flight::{Flight, Remark, Sample, along};
 use super::plausible;
-use crate::solver::{Request, Solution, SolveError, Turns, solve_all_windings};
+use crate::solver::{Request, Solution, SolveError, Turns, solve, solve_all_windings};
 
 /// How a flight is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,14 +31,14 @@ pub struct Rules {
 }
 
 impl Default for Rules {
-    /// The paper's Table I, any winding, half a second at rest, gaps up to 0.1 s, 0.25 m beside the plane.
+    /// The paper's Table I, any winding, 0.3 s at rest (as long as `mintime fly` asks for), gaps up to 0.1 s, 0.25 m beside the plane.
     fn default() -> Self {
         Self {
             limits: Limits::TABLE_I,
             turns: Turns::Any,
             tolerance: Tolerance::default(),
             arrival: None,
-            dwell_s: 0.5,
+            dwell_s: 0.3,
             largest_gap_s: 0.1,
             out_of_plane_m: 0.25,
         }
@@ -106,61 +106,23 @@ pub struct Score {
 /// # Errors
 /// [`BenchmarkError`]: see there.
 pub fn score(flight: &Flight, ends: Option<(Goal, Goal)>, rules: &Rules) -> Result<Score, BenchmarkError> {
-    rules.validate()?;
-    let (start, end) = match ends {
-        Some(ends) => ends,
-        None => find_ends(flight, rules)?,
-    };
-    let rest = end.sample.velocity_mps.norm() <= rules.tolerance.velocity_mps;
-    let default = if rest { Arrival::Settle(rules.dwell_s) } else { Arrival::First };
-    let leg = find_leg(flight, &start, &end, &rules.tolerance, rules.arrival.unwrap_or(default))?;
-    let samples = flight.between(leg.departure_s, leg.arrival_s);
-    check_gaps(flight, leg, rules.largest_gap_s)?;
-    let derived = flight.remarks.contains(&Remark::VelocitiesDerived);
-    let implausible = plausible::check(&samples, &rules.limits, derived)?;
-
-    let origin = start.sample.position_m;
-    let heading_rad = heading(&start, &end, &samples, &rules.tolerance);
-    let aside = |s: &Sample| (s.position_m - origin).dot(&along(heading_rad + FRAC_PI_2)).abs();
-    let farthest = samples.iter().map(|s| (aside(s), s.t_s)).max_by(|a, b| a.0.total_cmp(&b.0));
-    let (out_of_plane_m, t_s) = farthest.unwrap_or_default();
-    if out_of_plane_m > rules.out_of_plane_m {
-        return Err(BenchmarkError::OutOfPlane { out_m: out_of_plane_m, t_s, most_m: rules.out_of_plane_m });
-    }
-
-    let flown = in_plane(&samples, leg.departure_s, origin, heading_rad);
-    let state = |sample: Option<&(f64, State<f64>)>| sample.map_or_else(State::origin, |s| s.1);
-    let request = Request {
-        from: state(flown.first()),
-        to: state(flown.last()),
-        limits: rules.limits,
-        turns: rules.turns,
-    };
-    let optimal = solve_all_windings(&request)?;
-    let nominal = Request {
-        from: start.sample.in_plane(origin, heading_rad),
-        to: end.sample.in_plane(origin, heading_rad),
-        ..request
-    };
-    let nominal_duration_s = match solve_all_windings(&nominal) {
+    let piece = Piece::of(flight, ends, rules)?;
+    let optimal = solve_all_windings(&piece.actual)?;
+    let nominal_duration_s = match solve_all_windings(&piece.nominal) {
         Ok(solution) => Some(solution.extremal.duration_s()),
         Err(SolveError::NotVerified { .. }) => None,
         Err(error) => return Err(error.into()),
     };
-    let duration_s = leg.arrival_s - leg.departure_s;
+    let Piece { leg, heading_rad, out_of_plane_m, flown, implausible, .. } = piece;
+    let duration_s = leg.duration_s();
     let score = duration_s / optimal.extremal.duration_s();
     let mut remarks = flight.remarks.clone();
     remarks.extend(implausible);
     if score < 1.0 - FASTER {
         remarks.push(Remark::FasterThanOptimal);
     }
-    remarks.extend(
-        flight
-            .declared
-            .map(|d| d.limits)
-            .filter(|planned| differ(planned, &rules.limits))
-            .map(Remark::OtherLimits),
-    );
+    let planned = flight.declared.map(|declared| declared.limits);
+    remarks.extend(planned.filter(|planned| differ(planned, &rules.limits)).map(Remark::OtherLimits));
     Ok(Score {
         leg,
         duration_s,
@@ -174,6 +136,73 @@ pub fn score(flight: &Flight, ends: Option<(Goal, Goal)>, rules: &Rules) -> Resu
         optimal,
         remarks,
     })
+}
+
+/// T_controller and T* (s) of a flight between two states, and nothing else of its [`score`].
+pub(super) fn durations(
+    flight: &Flight,
+    ends: (Goal, Goal),
+    rules: &Rules,
+) -> Result<(f64, f64), BenchmarkError> {
+    let piece = Piece::of(flight, Some(ends), rules)?;
+    Ok((piece.leg.duration_s(), solve(&piece.actual)?.extremal.duration_s()))
+}
+
+/// The part of a log that is measured, found and checked.
+struct Piece {
+    leg: Leg,
+    heading_rad: f64,
+    out_of_plane_m: f64,
+    flown: Vec<(f64, State<f64>)>,
+    /// From the state at departure to the state at arrival.
+    actual: Request,
+    /// From start to end as asked for.
+    nominal: Request,
+    implausible: Option<Remark>,
+}
+
+impl Piece {
+    fn of(flight: &Flight, ends: Option<(Goal, Goal)>, rules: &Rules) -> Result<Self, BenchmarkError> {
+        rules.validate()?;
+        let (start, end) = match ends {
+            Some(ends) => ends,
+            None => find_ends(flight, rules)?,
+        };
+        let rest = end.sample.velocity_mps.norm() <= rules.tolerance.velocity_mps;
+        let default = if rest { Arrival::Settle(rules.dwell_s) } else { Arrival::First };
+        let leg = find_leg(flight, &start, &end, &rules.tolerance, rules.arrival.unwrap_or(default))?;
+        check_gaps(flight, leg, rules.largest_gap_s)?;
+        let samples = flight.between(leg.departure_s, leg.arrival_s);
+        let derived = flight.remarks.contains(&Remark::VelocitiesDerived);
+        let implausible = plausible::check(&samples, &rules.limits, derived)?;
+
+        let origin = start.sample.position_m;
+        let heading_rad = heading(&start, &end, &samples, &rules.tolerance);
+        let aside = |s: &Sample| (s.position_m - origin).dot(&along(heading_rad + FRAC_PI_2)).abs();
+        let farthest = samples.iter().map(|s| (aside(s), s.t_s)).max_by(|a, b| a.0.total_cmp(&b.0));
+        let (out_of_plane_m, t_s) = farthest.unwrap_or_default();
+        if out_of_plane_m > rules.out_of_plane_m {
+            return Err(BenchmarkError::OutOfPlane {
+                out_m: out_of_plane_m,
+                t_s,
+                most_m: rules.out_of_plane_m,
+            });
+        }
+
+        let flown = in_plane(&samples, leg.departure_s, origin, heading_rad);
+        let state = |sample: Option<&(f64, State<f64>)>| sample.map_or_else(State::origin, |s| s.1);
+        let request = |from, to| Request { from, to, limits: rules.limits, turns: rules.turns };
+        let goal = |goal: &Goal| goal.sample.in_plane(origin, heading_rad);
+        Ok(Self {
+            leg,
+            heading_rad,
+            out_of_plane_m,
+            actual: request(state(flown.first()), state(flown.last())),
+            nominal: request(goal(&start), goal(&end)),
+            flown,
+            implausible,
+        })
+    }
 }
 
 /// How much below 1 a score may be before it is remarked on: the noise of a good log.

@@ -106,7 +106,7 @@ struct Measure {
     #[arg(long, value_enum)]
     arrival: Option<ArrivalChoice>,
     /// How long it must stay, and how long a hover lasts at least, s
-    #[arg(long, value_name = "S", value_parser = numbers::positive, allow_hyphen_values = true, default_value = "0.5")]
+    #[arg(long, value_name = "S", value_parser = numbers::positive, allow_hyphen_values = true, default_value = "0.3")]
     dwell: f64,
     /// Longest time without samples within the flight, s
     #[arg(long, value_name = "S", value_parser = numbers::positive, allow_hyphen_values = true, default_value = "0.1")]

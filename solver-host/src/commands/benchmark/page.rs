@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use mintime::benchmark::{Cell, Gains, Rules, Score, ScoreMap};
+use mintime::benchmark::{Gains, Rules, Score, ScoreMap};
 use mintime_shared::model::State;
 use serde_json::{Value, json};
 
@@ -118,8 +118,7 @@ impl MapSummary {
             (Some(low), Some(middle), Some(high)) => Some([*low, *middle, *high]),
             _ => None,
         };
-        let failed = map.cells.iter().filter(|c| matches!(c, Cell::Failed(_))).count();
-        Self { points: map.grid.len(), failed, scores, wall_time_s }
+        Self { points: map.grid.len(), failed: map.failed(), scores, wall_time_s }
     }
 
     fn range(&self) -> String {

@@ -35,12 +35,11 @@ pub(super) fn draw(map: &ScoreMap, title: &str, subtitle: &[String]) -> String {
     let colours = colour_range(map);
     cells(&mut svg, map, &plot, colours);
     let step = nice_step(colours.span(), 10.0, Steps::Decimal);
-    for level in ticks(colours, step) {
-        for (a, b) in contour(map, level) {
-            let (a, b) = (plot.point(a.0, a.1), plot.point(b.0, b.1));
-            svg.line(a, b, r##"stroke="#ffffff" stroke-opacity="0.75" stroke-width="1""##);
-        }
+    svg.open_group(r##"stroke="#ffffff" stroke-opacity="0.75" stroke-width="1""##);
+    for (a, b) in ticks(colours, step).into_iter().flat_map(|level| contour(map, level)) {
+        svg.line(plot.point(a.0, a.1), plot.point(b.0, b.1), "");
     }
+    svg.close_group();
     plot.frame(&mut svg);
     scale(&mut svg, &rect, colours, step, map);
     page(title, subtitle, y + height + AXIS_BELOW + MARGIN, svg)
@@ -90,7 +89,7 @@ fn cells(svg: &mut Svg, map: &ScoreMap, plot: &Plot, colours: Range) {
 
 /// Pieces of the line of a score (marching triangles): each square of four neighbours is two triangles, and on each the
 /// score is a plane.
-fn contour(map: &ScoreMap, level: f64) -> Vec<(Point, Point)> {
+pub(super) fn contour(map: &ScoreMap, level: f64) -> Vec<(Point, Point)> {
     let columns = map.grid.x_m.len();
     let corner = |((x, z), cell): ((f64, f64), &Cell)| match cell {
         Cell::Scored { score, .. } => Some((x, z, *score)),

@@ -63,3 +63,6 @@ fn page(title: &str, subtitle: &[String], height: f64, content: Svg) -> String {
     page.raw("</svg>");
     page.finish()
 }
+
+#[cfg(test)]
+mod tests;

@@ -40,7 +40,9 @@ impl Plot {
         let label = TextStyle::new(TEXT_SIZE, INK);
         let grid = format!(r#"stroke="{GRID}""#);
         let x_step = nice_step(self.x.span(), (rect.width / 70.0).floor(), Steps::Decimal);
-        let own = nice_step(self.y.span(), (rect.height / 36.0).floor(), y_steps);
+        // Steps of degrees are few, and the next larger one may be all of the axis.
+        let apart = if let Steps::Degrees = y_steps { 26.0 } else { 40.0 };
+        let own = nice_step(self.y.span(), (rect.height / apart).floor(), y_steps);
         let y_step = if one_step { x_step.max(own) } else { own };
         let x_step = if one_step { y_step } else { x_step };
         for value in ticks(self.x, x_step) {

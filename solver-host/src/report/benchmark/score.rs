@@ -21,7 +21,7 @@ const SAMPLES: u32 = 600;
 /// Intervals between marks to choose from, s.
 const MARKS_S: [f64; 8] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 /// Most marks on the slower path.
-const MOST_MARKS: f64 = 16.0;
+const MOST_MARKS: f64 = 24.0;
 
 type Track = Vec<(f64, State<f64>)>;
 /// Label, value of a state, kind of ticks, smallest range.
