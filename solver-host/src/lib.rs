@@ -11,6 +11,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "std")]
+pub mod benchmark;
+#[cfg(feature = "std")]
 pub mod firmware_image;
 #[cfg(feature = "std")]
 pub mod flight;

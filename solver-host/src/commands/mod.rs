@@ -4,6 +4,7 @@ mod answer;
 mod batch;
 #[cfg(test)]
 mod documented;
+mod benchmark;
 mod explain;
 mod fly;
 mod keyboard;
@@ -30,6 +31,11 @@ use clap::Subcommand;
 /// What to do.
 #[derive(Subcommand)]
 pub(crate) enum Command {
+    /// Measure a flight, or a controller, against the fastest maneuver between the same two states: T / T*.
+    ///
+    /// The log is an MCAP of `mintime fly`, or a CSV with the columns t_s, x_m, z_m and theta_rad; velocities, y and a
+    /// quaternion are read if they are there (docs/benchmarking.md).
+    Benchmark(Box<benchmark::Benchmark>),
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
     ///
     /// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
@@ -73,6 +79,7 @@ pub(crate) enum Command {
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
+            Self::Benchmark(benchmark) => benchmark.run(),
             Self::Fly(fly) => fly.run(),
             Self::Learn(learn) => learn.run(),
             Self::LearnStatistics(statistics) => statistics.run(),

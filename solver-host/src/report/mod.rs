@@ -11,6 +11,7 @@
 //! font of our own strokes would have saved 400 kB and cost legibility, kerning and every letter we forgot.
 
 mod axis;
+pub mod benchmark;
 mod data;
 mod layout;
 mod page;
@@ -90,8 +91,12 @@ pub fn render(data: &ReportData) -> String {
 /// # Errors
 /// [`ReportError`]: unknown ending, a path that cannot be written to, a full disk.
 pub fn write(data: &ReportData, path: &Path) -> Result<(), ReportError> {
+    save(render(data), path)
+}
+
+/// Writes SVG text to `path`, as SVG or PNG by the file's ending.
+fn save(svg: String, path: &Path) -> Result<(), ReportError> {
     let format = Format::of(path)?;
-    let svg = render(data);
     let bytes = match format {
         Format::Svg => svg.into_bytes(),
         Format::Png => png::encode(&svg)?,

@@ -1,0 +1,150 @@
+//! The linear controller's score over a grid of displacements.
+
+use std::fmt::Write as _;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::error::BenchmarkError;
+use super::linear::{Gains, durations_linear};
+use super::score::Rules;
+
+/// Displacements from rest to rest: the points of a grid, in rows of equal z from low to high.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// Displacements along x, m, in order.
+    pub x_m: Vec<f64>,
+    /// Displacements along z, m, in order.
+    pub z_m: Vec<f64>,
+}
+
+impl Grid {
+    /// Evenly spaced points from `first` to `last` on each axis, ends included.
+    pub fn even(x_m: [f64; 2], z_m: [f64; 2], points: [usize; 2]) -> Self {
+        let axis = |[first, last]: [f64; 2], count: usize| {
+            let step = if count > 1 { (last - first) / (count - 1) as f64 } else { 0.0 };
+            (0..count).map(|i| first + step * i as f64).collect()
+        };
+        Self { x_m: axis(x_m, points[0]), z_m: axis(z_m, points[1]) }
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.x_m.len() * self.z_m.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn point(&self, index: usize) -> (f64, f64) {
+        (self.x_m[index % self.x_m.len()], self.z_m[index / self.x_m.len()])
+    }
+}
+
+/// One point of a map.
+#[derive(Clone, Debug)]
+pub enum Cell {
+    /// Measured.
+    Scored {
+        /// T_controller, s.
+        duration_s: f64,
+        /// T* between the states at departure and arrival, s.
+        optimal_s: f64,
+        /// The one over the other.
+        score: f64,
+    },
+    /// Within two tolerances of the origin: there is no maneuver to measure.
+    Here,
+    /// Why there is no score.
+    Failed(String),
+}
+
+/// Scores over a grid.
+#[derive(Clone, Debug)]
+pub struct ScoreMap {
+    /// The displacements.
+    pub grid: Grid,
+    /// A cell for each, row by row.
+    pub cells: Vec<Cell>,
+}
+
+/// Flies the controller to every point of a grid, on all cores. `progress` is told after each point.
+///
+/// # Errors
+/// Gains and rules that are wrong for all points: [`Gains::validate`], [`Rules::validate`].
+pub fn map_linear(
+    gains: &Gains,
+    rules: &Rules,
+    grid: Grid,
+    progress: impl Fn() + Sync,
+) -> Result<ScoreMap, BenchmarkError> {
+    gains.validate()?;
+    rules.validate()?;
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= grid.len() {
+                return done;
+            }
+            let (x_m, z_m) = grid.point(index);
+            done.push((index, cell(gains, rules, x_m, z_m)));
+            progress();
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut done: Vec<(usize, Cell)> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        // A worker that panicked would be a defect of the solver; the missing points show it.
+        threads.into_iter().flat_map(|t| t.join().unwrap_or_default()).collect()
+    });
+    done.sort_by_key(|(index, _)| *index);
+    Ok(ScoreMap { cells: done.into_iter().map(|(_, cell)| cell).collect(), grid })
+}
+
+fn cell(gains: &Gains, rules: &Rules, x_m: f64, z_m: f64) -> Cell {
+    if x_m.hypot(z_m) <= 2.0 * rules.tolerance.position_m {
+        return Cell::Here;
+    }
+    match durations_linear(gains, rules, x_m, z_m) {
+        Ok((duration_s, optimal_s)) => Cell::Scored { duration_s, optimal_s, score: duration_s / optimal_s },
+        Err(error) => Cell::Failed(error.to_string()),
+    }
+}
+
+impl ScoreMap {
+    /// The displacements (x, z), m, in the order of the cells.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        (0..self.cells.len()).map(|index| self.grid.point(index))
+    }
+
+    /// The displacement and score of every point that has one.
+    pub fn scores(&self) -> impl Iterator<Item = (f64, f64, f64)> {
+        self.points().zip(&self.cells).filter_map(|((x_m, z_m), cell)| match cell {
+            Cell::Scored { score, .. } => Some((x_m, z_m, *score)),
+            Cell::Here | Cell::Failed(_) => None,
+        })
+    }
+
+    /// How many points failed.
+    pub fn failed(&self) -> usize {
+        self.cells.iter().filter(|c| matches!(c, Cell::Failed(_))).count()
+    }
+
+    /// The map as CSV. Columns: displacement, T_controller, T*, score; a reason where there is none.
+    pub fn csv(&self) -> String {
+        let mut out = String::from("x_m,z_m,controller_s,optimal_s,score,remark\n");
+        for ((x, z), cell) in self.points().zip(&self.cells) {
+            // Writing to a string does not fail.
+            let _ = match cell {
+                Cell::Scored { duration_s, optimal_s, score } => {
+                    writeln!(out, "{x},{z},{duration_s},{optimal_s},{score},")
+                }
+                Cell::Here => writeln!(out, "{x},{z},0,0,,"),
+                Cell::Failed(reason) => writeln!(out, "{x},{z},,,,\"{}\"", reason.replace('"', "'")),
+            };
+        }
+        out
+    }
+}

@@ -1,0 +1,133 @@
+//! A flight and the fastest maneuver between the same states: their paths with marks at equal times, and their motion
+//! over time.
+
+use mintime_shared::model::State;
+
+use super::super::axis::{Range, Steps};
+use super::super::style::{AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, SMALL_SIZE, TEXT_SIZE, WIDTH};
+use super::super::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
+use super::plot::Plot;
+use super::{header, page};
+use crate::benchmark::Score;
+
+/// Height of the panels together.
+const PANELS: f64 = 600.0;
+/// Width of the path's panel.
+const PATH: f64 = 600.0;
+/// Between two panels over time.
+const GAP: f64 = 14.0;
+/// Samples of the fastest maneuver.
+const SAMPLES: u32 = 600;
+/// Intervals between marks to choose from, s.
+const MARKS_S: [f64; 8] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+/// Most marks on the slower path.
+const MOST_MARKS: f64 = 24.0;
+
+type Track = Vec<(f64, State<f64>)>;
+/// Label, value of a state, kind of ticks, smallest range.
+type Quantity = (&'static str, fn(&State<f64>) -> f64, Steps, f64);
+
+pub(super) fn draw(score: &Score, title: &str, subtitle: &[String]) -> String {
+    let extremal = &score.optimal.extremal;
+    let optimal_s = extremal.duration_s();
+    let optimal: Track = (0..=SAMPLES)
+        .map(|i| optimal_s * f64::from(i) / f64::from(SAMPLES))
+        .map(|t| (t, extremal.state_at(t)))
+        .collect();
+    let step_s = MARKS_S.into_iter().find(|s| score.duration_s / s <= MOST_MARKS).unwrap_or(score.duration_s);
+
+    let mut svg = Svg::default();
+    let y = header(&mut svg, title, subtitle);
+    let y = legend(&mut svg, y + 34.0, step_s) + 22.0;
+    let path = Rect { x: MARGIN + AXIS_LEFT, y, width: PATH - AXIS_LEFT, height: PANELS };
+    draw_path(&mut svg, path, &score.flown, &optimal, step_s);
+    let left = MARGIN + PATH + 24.0 + AXIS_LEFT;
+    let height = (PANELS - 2.0 * GAP) / 3.0;
+    let quantities: [Quantity; 3] = [
+        ("x (m)", |s| s.x, Steps::Decimal, 0.1),
+        ("z (m)", |s| s.z, Steps::Decimal, 0.1),
+        ("θ (°)", |s| s.theta.to_degrees(), Steps::Degrees, 10.0),
+    ];
+    for (i, (label, value, steps, least)) in quantities.into_iter().enumerate() {
+        let rect = Rect { x: left, y: y + i as f64 * (height + GAP), width: WIDTH - MARGIN - left, height };
+        let range = Range::of(score.flown.iter().chain(&optimal).map(|(_, s)| value(s)));
+        let range = range.unwrap_or(Range { low: 0.0, high: 1.0 }).at_least(least).padded(0.08);
+        let plot =
+            Plot { rect, x: Range { low: 0.0, high: 1.04 * score.duration_s.max(optimal_s) }, y: range };
+        plot.axes(&mut svg, if i == 2 { "time from departure (s)" } else { "" }, label, steps, false);
+        for (t, name) in [(optimal_s, "T*"), (score.duration_s, "T")] {
+            let (x, _) = plot.point(t, range.low);
+            svg.line(
+                (x, rect.y),
+                (x, rect.bottom()),
+                &format!(r#"stroke="{LIMIT}" stroke-width="1.2" stroke-dasharray="5 4""#),
+            );
+            if i == 0 {
+                let style = TextStyle::new(SMALL_SIZE, INK).bold().anchored(Anchor::Middle);
+                svg.text((x, rect.y - 5.0), name, style);
+            }
+        }
+        let points =
+            |track: &Track| -> Vec<Point> { track.iter().map(|(t, s)| plot.point(*t, value(s))).collect() };
+        svg.curve(&points(&score.flown), &format!(r#"stroke="{FLOWN}" stroke-width="2""#));
+        svg.curve(&points(&optimal), &format!(r#"stroke="{INK}" stroke-width="1.6""#));
+        plot.frame(&mut svg);
+    }
+    page(title, subtitle, y + PANELS + AXIS_BELOW + MARGIN, svg)
+}
+
+fn legend(svg: &mut Svg, y: f64, step_s: f64) -> f64 {
+    let mut x = MARGIN;
+    let every = format!("dots every {step_s} s");
+    for (colour, text) in
+        [(FLOWN, "flown"), (INK, "fastest maneuver between the same two states"), ("", &every)]
+    {
+        if colour.is_empty() {
+            svg.circle((x + 17.0, y - 5.0), 4.0, &format!(r#"fill="{LIMIT}""#));
+        } else {
+            svg.line((x, y - 5.0), (x + 34.0, y - 5.0), &format!(r#"stroke="{colour}" stroke-width="2.4""#));
+        }
+        svg.text((x + 42.0, y), text, TextStyle::new(TEXT_SIZE, INK));
+        x += 42.0 + text_width(text, TEXT_SIZE) + 24.0;
+    }
+    y
+}
+
+fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: f64) {
+    let nothing = Range { low: 0.0, high: 1.0 };
+    let all = || flown.iter().chain(optimal);
+    let x = Range::of(all().map(|(_, s)| s.x)).unwrap_or(nothing);
+    let z = Range::of(all().map(|(_, s)| s.z)).unwrap_or(nothing);
+    let least = (0.02 * x.span().max(z.span())).max(1e-3);
+    let plot = Plot::to_scale(rect, x.at_least(least).padded(0.07), z.at_least(least).padded(0.07));
+    plot.axes(svg, "x (m)", "z (m)", Steps::Decimal, true);
+    for (track, colour, width) in [(flown, FLOWN, 2.0), (optimal, INK, 1.6)] {
+        let points: Vec<Point> = track.iter().map(|(_, s)| plot.point(s.x, s.z)).collect();
+        svg.curve(&points, &format!(r#"stroke="{colour}" stroke-width="{width}""#));
+        let last_s = track.last().map_or(0.0, |(t, _)| *t);
+        let marks = (1..).map(|i| f64::from(i) * step_s).take_while(|t| *t < last_s);
+        for mark in marks {
+            let after = track.partition_point(|(t, _)| *t < mark);
+            let (Some((ta, a)), Some((tb, b))) = (track.get(after.saturating_sub(1)), track.get(after))
+            else {
+                continue;
+            };
+            let u = if tb > ta { (mark - ta) / (tb - ta) } else { 0.0 };
+            let at = plot.point(a.x + (b.x - a.x) * u, a.z + (b.z - a.z) * u);
+            svg.circle(at, 3.6, &format!(r##"fill="{colour}" stroke="#ffffff" stroke-width="0.8""##));
+        }
+    }
+    if let (Some((_, first)), Some((_, last))) = (flown.first(), flown.last()) {
+        svg.circle(
+            plot.point(first.x, first.z),
+            5.5,
+            &format!("fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"2.2\""),
+        );
+        svg.circle(
+            plot.point(last.x, last.z),
+            5.5,
+            &format!(r##"fill="{INK}" stroke="#ffffff" stroke-width="1.6""##),
+        );
+    }
+    plot.frame(svg);
+}
