@@ -11,6 +11,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "std")]
+pub mod drawing;
+#[cfg(feature = "std")]
 pub mod firmware_image;
 #[cfg(feature = "std")]
 pub mod flight;
@@ -23,6 +25,8 @@ pub mod mission;
 #[cfg(feature = "std")]
 pub mod motion_capture;
 pub mod pack;
+#[cfg(feature = "std")]
+pub mod parallel;
 #[cfg(feature = "std")]
 pub mod port;
 #[cfg(feature = "std")]

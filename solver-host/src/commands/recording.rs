@@ -1,9 +1,9 @@
 //! What a flown mission leaves in files: the log and the picture.
 
 use mintime::flight_log::{EventLevel, FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
-use mintime::mission::{Flown, Mission, Prepared, rate_in_plane};
+use mintime::mission::{Flown, Mission, Prepared};
 use mintime::report::{FlownSample, ReportData};
-use mintime_shared::model::{RateMode, Segment, State, ThrustLevel};
+use mintime_shared::model::{RateMode, Segment, ThrustLevel};
 use mintime_shared::replay::Plan;
 
 /// Step of the planned samples, s.
@@ -140,7 +140,7 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         .flatten()
         .collect(),
         planned: planned(&flown.prepared),
-        flown: flown_samples(flown, duration_s),
+        flown: FlownSample::of_flight(flown, (BEFORE_S, AFTER_S)),
         segments: table
             .segments()
             .map(|s| Segment { inputs: s.inputs, duration: f64::from(s.duration) })
@@ -148,40 +148,6 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         limits: table.limits.cast(),
         facts,
     }
-}
-
-/// The flight around the maneuver, in the plan's coordinates: time and position from the true start.
-fn flown_samples(flown: &Flown, duration_s: f64) -> Vec<FlownSample> {
-    let Some(start_ns) = flown.trace.start_ns else { return Vec::new() };
-    // Of a real vehicle nobody knows the truth: it began where the cameras saw it then.
-    let truth = flown.trace.start.as_ref().map(|start| start.planar(flown.heading_rad()));
-    let seen = || flown.trace.samples.iter().find(|s| s.time_ns >= start_ns).map(|s| s.truth.planar);
-    let Some(origin) = truth.or_else(seen) else { return Vec::new() };
-    let turn = core::f64::consts::TAU;
-    let counted = (origin.theta / turn).round() * turn;
-    let from: State<f64> = flown.prepared.table.start.cast();
-    let since = |time_ns: u64| (time_ns as f64 - start_ns as f64) * 1e-9;
-    flown
-        .trace
-        .samples
-        .iter()
-        .filter(|s| (-BEFORE_S..=duration_s + AFTER_S).contains(&since(s.time_ns)))
-        .map(|s| {
-            let p = s.truth.planar;
-            FlownSample {
-                t_s: since(s.time_ns),
-                state: State {
-                    x: p.x - origin.x + from.x,
-                    z: p.z - origin.z + from.z,
-                    theta: p.theta - counted,
-                    ..p
-                },
-                rate_radps: rate_in_plane(s.truth.body_rates_radps, flown.heading_rad()),
-                thrust_mps2: s.truth.thrust_mps2,
-                phase: s.phase.clone(),
-            }
-        })
-        .collect()
 }
 
 /// Where a maneuver leads, from its start: in its plane, and in three dimensions where that is not straight ahead.

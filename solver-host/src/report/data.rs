@@ -3,6 +3,7 @@
 use mintime_shared::model::{Limits, Segment, State};
 
 use crate::flight_log::PlannedSample;
+use crate::mission::{Flown, rate_in_plane};
 
 /// Everything a report shows. Samples with numbers that are not finite are left out of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,4 +37,42 @@ pub struct FlownSample {
     pub thrust_mps2: f64,
     /// Phase of the flight, e.g. `hover`, `maneuver`, `catch`. Changes of phase are marked.
     pub phase: String,
+}
+
+impl FlownSample {
+    /// A flight around its maneuver, in the plan's coordinates: time and position from the true start. From `before` s
+    /// ahead of it to `after` s past its end; empty where it never began.
+    pub fn of_flight(flown: &Flown, (before_s, after_s): (f64, f64)) -> Vec<Self> {
+        let duration_s = f64::from(flown.prepared.table.duration_s());
+        let Some(start_ns) = flown.trace.start_ns else { return Vec::new() };
+        // Of a real vehicle nobody knows the truth: it began where the cameras saw it then.
+        let truth = flown.trace.start.as_ref().map(|start| start.planar(flown.heading_rad()));
+        let seen = || flown.trace.samples.iter().find(|s| s.time_ns >= start_ns).map(|s| s.truth.planar);
+        let Some(origin) = truth.or_else(seen) else { return Vec::new() };
+        let turn = core::f64::consts::TAU;
+        let counted = (origin.theta / turn).round() * turn;
+        let from: State<f64> = flown.prepared.table.start.cast();
+        let since = |time_ns: u64| (time_ns as f64 - start_ns as f64) * 1e-9;
+        flown
+            .trace
+            .samples
+            .iter()
+            .filter(|s| (-before_s..=duration_s + after_s).contains(&since(s.time_ns)))
+            .map(|s| {
+                let p = s.truth.planar;
+                Self {
+                    t_s: since(s.time_ns),
+                    state: State {
+                        x: p.x - origin.x + from.x,
+                        z: p.z - origin.z + from.z,
+                        theta: p.theta - counted,
+                        ..p
+                    },
+                    rate_radps: rate_in_plane(s.truth.body_rates_radps, flown.heading_rad()),
+                    thrust_mps2: s.truth.thrust_mps2,
+                    phase: s.phase.clone(),
+                }
+            })
+            .collect()
+    }
 }
