@@ -13,6 +13,8 @@
 #[cfg(feature = "std")]
 pub mod drawing;
 #[cfg(feature = "std")]
+pub mod figures;
+#[cfg(feature = "std")]
 pub mod firmware_image;
 #[cfg(feature = "std")]
 pub mod flight;

@@ -3,6 +3,7 @@
 mod answer;
 mod batch;
 mod explain;
+mod figures;
 mod fly;
 mod keyboard;
 mod limits;
@@ -26,6 +27,8 @@ use clap::Subcommand;
 /// What to do.
 #[derive(Subcommand)]
 pub(crate) enum Command {
+    /// Draw the paper's figures again, corrected, and the map T(x, z): SVG, PNG and CSV.
+    Figures(figures::Figures),
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
     ///
     /// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
@@ -60,6 +63,7 @@ pub(crate) enum Command {
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
+            Self::Figures(figures) => figures.run(),
             Self::Fly(fly) => fly.run(),
             Self::Solve(solve) => solve.run(),
             Self::Sweep(sweep) => sweep.run(),

@@ -32,6 +32,8 @@ pub(crate) const FLOWN: &str = "#d55e00";
 pub(crate) const SWITCHING: &str = "#009e73";
 /// Background of singular arcs.
 pub(crate) const SINGULAR: &str = "#fbefc4";
+/// Thrust of vehicles drawn in hair lines.
+pub(crate) const THRUST: &str = "#56b4e9";
 /// As in the paper, where that is not optimal.
 pub(crate) const PAPER: &str = FLOWN;
 /// Background of turning forward at the limit.

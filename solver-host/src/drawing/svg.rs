@@ -145,7 +145,7 @@ impl Svg {
             px(at.1),
             px(style.size),
             style.colour,
-            escape(text),
+            with_subscripts(text, style.size),
         );
     }
 
@@ -180,8 +180,51 @@ pub(crate) fn escape(text: &str) -> String {
     out
 }
 
-/// About how wide a text is in the embedded font.
+/// Text as markup: what stands in `_{}` is a subscript. Shifted by hand, because not every viewer knows `baseline-shift`.
+fn with_subscripts(text: &str, size: f64) -> String {
+    let shift = px(SUBSCRIPT_DROP * size);
+    let mut out = String::new();
+    let mut rest = text;
+    let mut lowered = false;
+    while let Some((before, (subscript, after))) =
+        rest.split_once("_{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        raised(&mut out, before, &shift, lowered);
+        // Writing to a string does not fail.
+        let _ = write!(
+            out,
+            r#"<tspan dy="{shift}" font-size="{}">{}</tspan>"#,
+            px(SUBSCRIPT_SIZE * size),
+            escape(subscript)
+        );
+        (rest, lowered) = (after, true);
+    }
+    raised(&mut out, rest, &shift, lowered);
+    out
+}
+
+/// Text on the base line, after a subscript or not.
+fn raised(out: &mut String, text: &str, shift: &str, lowered: bool) {
+    if lowered && !text.is_empty() {
+        let _ = write!(out, r#"<tspan dy="-{shift}">{}</tspan>"#, escape(text));
+    } else {
+        out.push_str(&escape(text));
+    }
+}
+
+/// Size of subscripts, relative.
+const SUBSCRIPT_SIZE: f64 = 0.72;
+/// How much lower they stand, in sizes of the text.
+const SUBSCRIPT_DROP: f64 = 0.22;
+
+/// About how wide a text is in the embedded font; subscripts count as they are drawn.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+    if let Some((before, tail)) = text.split_once("_{")
+        && let Some((subscript, after)) = tail.split_once('}')
+    {
+        let sides = text_width(before, size) + text_width(after, size);
+        return sides + text_width(subscript, SUBSCRIPT_SIZE * size);
+    }
     let em = |c: char| match c {
         'i' | 'j' | 'l' | '\'' | '.' | ',' | ':' | ';' | '|' | '!' | ' ' => 0.27,
         'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '/' => 0.37,
