@@ -11,6 +11,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "std")]
+pub mod design;
+#[cfg(feature = "std")]
 pub mod drawing;
 #[cfg(feature = "std")]
 pub mod figures;

@@ -2,6 +2,7 @@
 
 mod answer;
 mod batch;
+mod design;
 mod explain;
 mod figures;
 mod fly;
@@ -27,6 +28,8 @@ use clap::Subcommand;
 /// What to do.
 #[derive(Subcommand)]
 pub(crate) enum Command {
+    /// Study how T depends on greatest and least thrust and on the body rate, and which of them buys the most.
+    Design(design::Design),
     /// Draw the paper's figures again, corrected, and the map T(x, z): SVG, PNG and CSV.
     Figures(figures::Figures),
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
@@ -63,6 +66,7 @@ pub(crate) enum Command {
 impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
+            Self::Design(design) => design.run(),
             Self::Figures(figures) => figures.run(),
             Self::Fly(fly) => fly.run(),
             Self::Solve(solve) => solve.run(),

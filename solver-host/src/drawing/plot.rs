@@ -5,7 +5,7 @@ use super::style::{FRAME, GRID, INK, SMALL_SIZE, TEXT_SIZE};
 use super::svg::{Anchor, Point, Rect, Svg, TextStyle};
 
 /// Least distance between ticks along and up, page units.
-const TICKS: (f64, f64) = (78.0, 26.0);
+const TICKS: (f64, f64) = (66.0, 26.0);
 
 /// A plot with two linear axes.
 #[derive(Clone, Copy, Debug)]

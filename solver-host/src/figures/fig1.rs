@@ -3,9 +3,10 @@
 
 use mintime_shared::model::Limits;
 
-use super::csv::{Csv, Instant, times};
 use super::level::LevelClimb;
+use super::samples::{Instant, times};
 use super::{Content, FigureError, Number, path};
+use crate::drawing::csv::Csv;
 use crate::drawing::page;
 use crate::drawing::plot::Plot;
 use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, INK, MARGIN, MUTED, PAPER, SMALL_SIZE, TEXT_SIZE, WIDTH};
@@ -89,7 +90,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     let gain_ms = (all[0].duration_s - all[1].duration_s) * 1e3;
     let lines = [
         format!(
-            "The vehicle every {coarse} s, in the enlargements every {fine} s, to scale, with its thrust (blue). From 4 m on it turns over once and brakes with its thrust down."
+            "The vehicle every {coarse} s, in the enlargements every {fine} s, to scale, with its thrust (blue). At 4 m and 6 m it turns over once and brakes with its thrust down."
         ),
         format!(
             "The paper keeps the vehicle level below its flip. That is not optimal: a swing while the thrust is low is {gain_ms:.1} ms faster at 2 m."
@@ -135,7 +136,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, bottom + AXIS_BELOW + MARGIN, &title, &lines.join(" "), svg),
         title,
-        csv: csv(&all),
+        tables: vec![("", csv(&all))],
         numbers: all.iter().map(|m| Number::new(format!("{}: T =", m.name), m.duration_s, "s")).collect(),
     })
 }

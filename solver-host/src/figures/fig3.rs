@@ -1,10 +1,11 @@
 //! Fig. 3: T and the switching times of purely horizontal maneuvers, from rest to rest.
 
 use super::bands::{self, Input};
-use super::csv::{Csv, switch_times};
 use super::line::{Family, Sample, changes_of, steps};
+use super::samples::switch_times;
 use super::{Content, FigureError, Number};
 use crate::drawing::axis::{Range, Steps};
+use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::plot::{Axes, Plot};
@@ -55,7 +56,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, height, &title, &lines.join(" "), svg),
         title,
-        csv: csv(&samples),
+        tables: vec![("", csv(&samples))],
         numbers: numbers(&samples),
     })
 }

@@ -2,9 +2,10 @@
 
 use mintime_shared::model::Limits;
 
-use super::csv::{Csv, Instant, times};
+use super::samples::{Instant, times};
 use super::{Content, FigureError, Number, path};
 use crate::drawing::axis::Range;
+use crate::drawing::csv::Csv;
 use crate::drawing::page;
 use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, INK, MARGIN, TEXT_SIZE, WIDTH};
 use crate::drawing::svg::{Anchor, Rect, Svg, TextStyle};
@@ -67,7 +68,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, bottom + AXIS_BELOW + MARGIN, &title, &lines[0], svg),
         title,
-        csv: csv.finish(),
+        tables: vec![("", csv.finish())],
         numbers,
     })
 }

@@ -4,12 +4,13 @@
 use mintime_shared::model::Limits;
 
 use super::bands::{self, Input};
-use super::csv::{Csv, switch_times};
 use super::fig3::{TOLERANCE_M, change_labels, marks};
 use super::level::LevelClimb;
 use super::line::{Family, Sample, changes_of, steps};
+use super::samples::switch_times;
 use super::{Content, FigureError, Number};
 use crate::drawing::axis::{Range, Steps};
+use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::plot::{Axes, Plot};
@@ -100,7 +101,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
         "A maneuver begins at t = 0 and moves upwards; at each line an input switches to the value above it."
             .to_owned(),
         format!(
-            "The paper stays level up to its flip at {papers_flip_m:.2} m. Swinging while the thrust is low is faster, so the flip wins from {flip_m:.3} m only."
+            "Level, as the paper flies, loses to the flip from {papers_flip_m:.2} m. A swing while the thrust is low beats level at every height, so the flip wins from {flip_m:.3} m only."
         ),
     ];
     let mut svg = Svg::default();
@@ -135,7 +136,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, height, &title, &lines.join(" "), svg),
         title,
-        csv: csv(&rows),
+        tables: vec![("", csv(&rows))],
         numbers,
     })
 }

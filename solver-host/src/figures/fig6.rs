@@ -2,10 +2,11 @@
 
 use mintime_shared::model::RateMode;
 
-use super::csv::{Csv, Instant, times};
+use super::samples::{Instant, times};
 use super::time_chart::{self, Curve, Panel};
 use super::{Content, FigureError, Number};
 use crate::drawing::axis::{Range, Steps};
+use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::style::{INK, LIMIT, MARGIN, SINGULAR, SWITCHING, WIDTH};
@@ -62,6 +63,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     let y = page::heading(&mut svg, WIDTH, &title, &lines);
     let keys = [
         Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8""#), "input or state"),
+        Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#), "z and v_{z}"),
         Key::line(
             &format!(r#"stroke="{SWITCHING}" stroke-width="1.8" stroke-dasharray="6 3""#),
             "switching function, scaled in the inputs' panels",
@@ -82,7 +84,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, bottom + MARGIN, &title, &lines[0], svg),
         title,
-        csv: csv(&samples),
+        tables: vec![("", csv(&samples))],
         numbers,
     })
 }

@@ -3,11 +3,12 @@
 
 use mintime_shared::model::{Limits, State};
 
-use super::csv::{Csv, Instant, times};
 use super::fig6::singular_arcs;
+use super::samples::{Instant, times};
 use super::time_chart::{self, Curve, Panel};
 use super::{Content, FigureError, Number};
 use crate::drawing::axis::{Range, Steps};
+use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::style::{FLOWN, INK, MARGIN, SINGULAR, WIDTH};
@@ -73,7 +74,7 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     Ok(Content {
         svg: page::document(WIDTH, bottom + MARGIN, &title, &lines.join(" "), svg),
         title,
-        csv: csv(&plan, &flight),
+        tables: vec![("", csv(&plan, &flight))],
         numbers: vec![
             Number::new("T =", duration_s, "s"),
             Number::new("position error at T", miss_m, "m"),

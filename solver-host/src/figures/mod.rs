@@ -7,7 +7,6 @@
 //! gives the same bytes.
 
 mod bands;
-mod csv;
 mod fig1;
 mod fig3;
 mod fig4;
@@ -18,6 +17,7 @@ mod level;
 mod line;
 mod map;
 mod path;
+mod samples;
 mod table1;
 mod time_chart;
 
@@ -131,7 +131,8 @@ impl fmt::Display for Number {
 pub(crate) struct Content {
     pub(crate) title: String,
     pub(crate) svg: String,
-    pub(crate) csv: String,
+    /// Tables: what is added to the figure's name, and CSV.
+    pub(crate) tables: Vec<(&'static str, String)>,
     pub(crate) numbers: Vec<Number>,
 }
 
@@ -158,9 +159,10 @@ impl Drawn {
         &self.content.svg
     }
 
-    /// The numbers behind the picture: a header with units, one row a sample.
-    pub fn csv(&self) -> &str {
-        &self.content.csv
+    /// The tables behind the picture, each with its name and as CSV: a header with units, one row a sample.
+    pub fn tables(&self) -> impl Iterator<Item = (String, &str)> {
+        let name = self.figure.name();
+        self.content.tables.iter().map(move |(more, csv)| (format!("{name}{more}"), csv.as_str()))
     }
 
     /// The numbers one would quote.
@@ -168,20 +170,26 @@ impl Drawn {
         &self.content.numbers
     }
 
-    /// Writes `NAME.svg`, `NAME.png` and `NAME.csv` into a folder that exists, each of them whole or not at all; files of
+    /// Writes `NAME.svg`, `NAME.png` and the tables, `NAME.csv` the first of them, into a folder that exists, each of them whole or not at all; files of
     /// these names are replaced.
     ///
     /// # Errors
     /// [`PictureError`]: a folder that cannot be written to, a full disk.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, PictureError> {
-        let path = |ending: &str| folder.join(self.figure.name()).with_extension(ending);
-        let [svg, png, csv] = ["svg", "png", "csv"].map(path);
-        file::write(self.svg(), &svg)?;
-        file::write(self.svg(), &png)?;
-        write_whole::<OutputError>(&csv, |out| {
-            let failed = |source| OutputError::Interrupted { path: csv.clone(), source };
-            out.write_all(self.csv().as_bytes()).map_err(failed)
-        })?;
-        Ok(vec![svg, png, csv])
+        let mut written = Vec::new();
+        for ending in ["svg", "png"] {
+            let path = folder.join(self.figure.name()).with_extension(ending);
+            file::write(self.svg(), &path)?;
+            written.push(path);
+        }
+        for (name, csv) in self.tables() {
+            let path = folder.join(name).with_extension("csv");
+            write_whole::<OutputError>(&path, |out| {
+                let failed = |source| OutputError::Interrupted { path: path.clone(), source };
+                out.write_all(csv.as_bytes()).map_err(failed)
+            })?;
+            written.push(path);
+        }
+        Ok(written)
     }
 }

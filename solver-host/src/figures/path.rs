@@ -1,6 +1,6 @@
 //! Maneuvers drawn along their paths in the vertical plane, both axes to one scale.
 
-use super::csv::Instant;
+use super::samples::Instant;
 use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
 use crate::drawing::plot::Plot;
 use crate::drawing::style::{GRID, INK, SMALL_SIZE, THRUST};
@@ -60,6 +60,6 @@ pub(crate) fn draw(
         symbol::draw_fine(svg, at, attitude, span, [colour, THRUST]);
     }
     svg.close_group();
-    svg.curve(&points, &format!(r##"stroke="#ffffff" stroke-width="4" stroke-opacity=".8""##));
+    svg.curve(&points, r##"stroke="#ffffff" stroke-width="4" stroke-opacity=".8""##);
     svg.curve(&points, &format!(r#"class="path" stroke="{colour}" stroke-width="2""#));
 }

@@ -2,8 +2,8 @@
 
 use mintime_shared::model::Limits;
 
-use super::csv::Csv;
 use super::{Content, Number};
+use crate::drawing::csv::Csv;
 use crate::drawing::page;
 use crate::drawing::style::{FRAME, INK, MARGIN, MUTED, TEXT_SIZE};
 use crate::drawing::svg::{Svg, TextStyle};
@@ -75,7 +75,7 @@ pub(super) fn draw() -> Content {
     Content {
         title: title.to_owned(),
         svg: page::document(WIDTH, y + 12.0 + MARGIN, title, &lines[0], svg),
-        csv: csv.finish(),
+        tables: vec![("", csv.finish())],
         numbers,
     }
 }

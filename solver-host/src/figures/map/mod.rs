@@ -9,8 +9,9 @@ mod picture;
 
 use grid::Grid;
 
-use super::csv::{Csv, switch_times};
+use super::samples::switch_times;
 use super::{Content, FigureError, Number};
+use crate::drawing::csv::Csv;
 use outline::{Division, divide};
 
 /// The whole quadrant, m, and its intervals.
@@ -35,19 +36,42 @@ impl Chart {
 pub(super) fn draw() -> Result<Content, FigureError> {
     let charts = [Chart::new(WHOLE)?, Chart::new(DETAIL)?];
     let (title, svg, structures) = picture::draw(&charts);
-    let mut csv = Csv::new("x_m,z_m,duration_s,turns,structure,switch_times_s");
-    for chart in &charts {
-        for (i, node) in chart.grid.nodes.iter().enumerate() {
-            let (x, z) = chart.grid.place(i);
-            let e = &node.extremal;
-            csv.row([&x, &z, &e.duration_s(), &e.turns, &e.structure(), &switch_times(e)]);
-        }
-    }
     let count = |chart: &Chart| chart.division.borders.iter().map(|b| b.2.len()).sum::<usize>() as f64;
     let numbers = vec![
         Number::new("grid points", charts.iter().map(|c| c.grid.nodes.len() as f64).sum(), ""),
         Number::new("structures with a number on the map", structures as f64, ""),
         Number::new("points on lines where the structure changes", charts.iter().map(count).sum(), ""),
     ];
-    Ok(Content { title, svg, csv: csv.finish(), numbers })
+    Ok(Content { title, svg, tables: vec![("", points(&charts)), ("-borders", borders(&charts))], numbers })
+}
+
+/// All grid points.
+fn points(charts: &[Chart; 2]) -> String {
+    let mut csv = Csv::new("x_m,z_m,duration_s,turns,structure,switch_times_s");
+    for Chart { grid, .. } in charts {
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let (x, z) = grid.place(i);
+            let e = &node.extremal;
+            csv.row([&x, &z, &e.duration_s(), &e.turns, &e.structure(), &switch_times(e)]);
+        }
+    }
+    csv.finish()
+}
+
+/// The lines where the structure changes, point by point. Lines are numbered; a point stands on its line to
+/// [`grid::TOLERANCE_M`] where one of its coordinates is one of the grid, and joins lines elsewhere.
+fn borders(charts: &[Chart; 2]) -> String {
+    let mut csv =
+        Csv::new("line,x_m,z_m,turns_on_one_side,structure_on_one_side,turns_on_other,structure_on_other");
+    let mut line = 0;
+    for Chart { grid, division } in charts {
+        for (a, b, points) in &division.borders {
+            line += 1;
+            let (a, b) = (&grid.structures[*a], &grid.structures[*b]);
+            for (x, z) in points {
+                csv.row([&line, x, z, &a.turns, a, &b.turns, b]);
+            }
+        }
+    }
+    csv.finish()
 }

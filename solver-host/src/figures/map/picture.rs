@@ -202,7 +202,7 @@ fn structures(svg: &mut Svg, listed: &[Listed<'_>], unlisted: usize, (x, top): P
         svg.text((x + 40.0, y), &words, TextStyle::new(SMALL_SIZE, INK));
     }
     y += 34.0;
-    let more = format!("{unlisted} more have slivers along the lines: see the table of numbers.");
+    let more = format!("{unlisted} more have slivers along the lines: see map.csv.");
     for line in [
         "+ and − turn forward and back at the limit, s is a singular arc;",
         "max and min are the thrust.",
