@@ -13,6 +13,12 @@
 #[cfg(feature = "std")]
 pub mod benchmark;
 #[cfg(feature = "std")]
+pub mod design;
+#[cfg(feature = "std")]
+pub mod drawing;
+#[cfg(feature = "std")]
+pub mod figures;
+#[cfg(feature = "std")]
 pub mod firmware_image;
 #[cfg(feature = "std")]
 pub mod flight;
@@ -29,6 +35,8 @@ pub mod motion_capture;
 pub mod pack;
 #[cfg(feature = "std")]
 pub mod page;
+#[cfg(feature = "std")]
+pub mod parallel;
 #[cfg(feature = "std")]
 pub mod port;
 #[cfg(feature = "std")]

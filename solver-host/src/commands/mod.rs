@@ -2,10 +2,12 @@
 
 mod answer;
 mod batch;
+mod benchmark;
+mod design;
 #[cfg(test)]
 mod documented;
-mod benchmark;
 mod explain;
+mod figures;
 mod fly;
 mod keyboard;
 mod learn;
@@ -36,6 +38,10 @@ pub(crate) enum Command {
     /// The log is an MCAP of `mintime fly`, or a CSV with the columns t_s, x_m, z_m and theta_rad; velocities, y and a
     /// quaternion are read if they are there (docs/benchmarking.md).
     Benchmark(Box<benchmark::Benchmark>),
+    /// Study how T depends on greatest and least thrust and on the body rate, and which of them buys the most.
+    Design(design::Design),
+    /// Draw the paper's figures again, corrected, and the map T(x, z): SVG, PNG and CSV.
+    Figures(figures::Figures),
     /// Compute a minimum-time maneuver and fly it, from hover to hover.
     ///
     /// The maneuver goes from rest to rest at level attitude. It is verified against Pontryagin's minimum principle before
@@ -80,6 +86,8 @@ impl Command {
     pub(crate) fn run(self) -> ExitCode {
         match self {
             Self::Benchmark(benchmark) => benchmark.run(),
+            Self::Design(design) => design.run(),
+            Self::Figures(figures) => figures.run(),
             Self::Fly(fly) => fly.run(),
             Self::Learn(learn) => learn.run(),
             Self::LearnStatistics(statistics) => statistics.run(),

@@ -1,7 +1,7 @@
 //! What a flown mission leaves in files: the log and the picture.
 
 use mintime::flight_log::{EventLevel, FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
-use mintime::mission::{Flown, Mission, PlanFrame, Prepared, rate_in_plane};
+use mintime::mission::{Flown, Mission, Prepared};
 use mintime::report::{FlownSample, ReportData};
 use mintime_shared::model::{RateMode, Segment, ThrustLevel};
 use mintime_shared::replay::Plan;
@@ -140,7 +140,7 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         .flatten()
         .collect(),
         planned: planned(&flown.prepared),
-        flown: flown_samples(flown, duration_s),
+        flown: FlownSample::of_flight(flown, (BEFORE_S, AFTER_S)),
         segments: table
             .segments()
             .map(|s| Segment { inputs: s.inputs, duration: f64::from(s.duration) })
@@ -148,24 +148,6 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         limits: table.limits.cast(),
         facts,
     }
-}
-
-/// The flight around the maneuver, in the plan's coordinates: time and position from the true start.
-fn flown_samples(flown: &Flown, duration_s: f64) -> Vec<FlownSample> {
-    let Some(frame) = PlanFrame::of(flown) else { return Vec::new() };
-    flown
-        .trace
-        .samples
-        .iter()
-        .filter(|s| (-BEFORE_S..=duration_s + AFTER_S).contains(&frame.since_s(s.time_ns)))
-        .map(|s| FlownSample {
-            t_s: frame.since_s(s.time_ns),
-            state: frame.state(s.truth.planar),
-            rate_radps: rate_in_plane(s.truth.body_rates_radps, flown.heading_rad()),
-            thrust_mps2: s.truth.thrust_mps2,
-            phase: s.phase.clone(),
-        })
-        .collect()
 }
 
 /// Where a maneuver leads, from its start: in its plane, and in three dimensions where that is not straight ahead.

@@ -5,11 +5,11 @@ use std::fmt::Write as _;
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use mintime::flight_log::check_writable;
+use mintime::parallel;
 use mintime::solver::{Request, Solution, SolveError, solve};
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 
@@ -170,9 +170,8 @@ impl Common {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// Solves all points on all cores, in blocks so that neighbours share a core's caches and the bar moves.
+    /// Solves all points on all cores, with a bar on a terminal.
     fn solve_all(&self, points: &[(f64, f64)], limits: Limits<f64>) -> Vec<Point> {
-        const BLOCK: usize = 64;
         let bar = ProgressBar::new(points.len() as u64);
         if !std::io::stderr().is_terminal() {
             bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
@@ -180,32 +179,10 @@ impl Common {
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} points, {eta} left") {
             bar.set_style(style);
         }
-        let next = AtomicUsize::new(0);
-        let blocks = points.len().div_ceil(BLOCK);
-        let work = || {
-            let mut done = Vec::new();
-            loop {
-                let block = next.fetch_add(1, Ordering::Relaxed);
-                if block >= blocks {
-                    return done;
-                }
-                let here = &points[block * BLOCK..points.len().min((block + 1) * BLOCK)];
-                done.push((
-                    block,
-                    here.iter().map(|&point| self.solve_point(point, limits)).collect::<Vec<_>>(),
-                ));
-                bar.inc(here.len() as u64);
-            }
-        };
-        let workers = std::thread::available_parallelism().map_or(1, usize::from);
-        let mut done: Vec<(usize, Vec<Point>)> = std::thread::scope(|scope| {
-            let threads: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
-            // A worker that panicked would be a defect of the solver; the count below shows it.
-            threads.into_iter().flat_map(|t| t.join().unwrap_or_default()).collect()
-        });
+        let solved =
+            parallel::map(points, |point| self.solve_point(*point, limits), |done| bar.inc(done as u64));
         bar.finish_and_clear();
-        done.sort_by_key(|(block, _)| *block);
-        done.into_iter().flat_map(|(_, points)| points).collect()
+        solved
     }
 
     fn solve_point(&self, (x, z): (f64, f64), limits: Limits<f64>) -> Point {

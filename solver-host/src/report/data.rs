@@ -3,6 +3,7 @@
 use mintime_shared::model::{Limits, Segment, State};
 
 use crate::flight_log::PlannedSample;
+use crate::mission::{Flown, PlanFrame, rate_in_plane};
 
 /// Everything a report shows. Samples with numbers that are not finite are left out of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,4 +37,26 @@ pub struct FlownSample {
     pub thrust_mps2: f64,
     /// Phase of the flight, e.g. `hover`, `maneuver`, `catch`. Changes of phase are marked.
     pub phase: String,
+}
+
+impl FlownSample {
+    /// A flight around its maneuver, in the plan's coordinates: time and position from the true start. From `before` s
+    /// ahead of it to `after` s past its end; empty where it never began.
+    pub fn of_flight(flown: &Flown, (before_s, after_s): (f64, f64)) -> Vec<Self> {
+        let duration_s = f64::from(flown.prepared.table.duration_s());
+        let Some(frame) = PlanFrame::of(flown) else { return Vec::new() };
+        flown
+            .trace
+            .samples
+            .iter()
+            .filter(|s| (-before_s..=duration_s + after_s).contains(&frame.since_s(s.time_ns)))
+            .map(|s| Self {
+                t_s: frame.since_s(s.time_ns),
+                state: frame.state(s.truth.planar),
+                rate_radps: rate_in_plane(s.truth.body_rates_radps, flown.heading_rad()),
+                thrust_mps2: s.truth.thrust_mps2,
+                phase: s.phase.clone(),
+            })
+            .collect()
+    }
 }

@@ -2,8 +2,8 @@
 //! panels stacked on its right; a wide one lies on top, with the time panels two by two below.
 
 use super::path_panel::Extent;
-use super::style::{AXIS_BELOW, AXIS_LEFT, MARGIN, ROW, STRIP, WIDTH};
-use super::svg::Rect;
+use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, MARGIN, ROW, STRIP, WIDTH};
+use crate::drawing::svg::Rect;
 
 /// Plot areas, axis labels not included.
 #[derive(Debug)]

@@ -1,11 +1,11 @@
 //! The path in the vertical plane, both axes to one scale, with the vehicle drawn along it.
 
-use super::axis::{Range, Steps, nice_step, tick_label, ticks};
 use super::layout::PATH_PADDING;
-use super::style::{FLOWN, FRAME, GHOST, GRID, INK, MUTED, SMALL_SIZE, TEXT_SIZE};
-use super::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
 use super::vehicle::{self, Symbol};
 use super::view::{Instant, View};
+use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::style::{FLOWN, FRAME, GHOST, GRID, INK, MUTED, SMALL_SIZE, TEXT_SIZE};
+use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
 
 /// The part of the vertical plane to show, m, before it is fitted to a panel.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
 //! The four quantities that are shown over time: pitch, pitch rate, thrust per mass, position.
 
-use super::axis::{Range, Steps};
 use super::data::ReportData;
 use super::path_panel::Unit;
 use super::time_panel::{Series, TimePanel};
 use super::view::{Instant, View};
+use crate::drawing::axis::{Range, Steps};
 
 /// Values beyond this many limits are outside the panel.
 const BEYOND_LIMIT: f64 = 1.6;

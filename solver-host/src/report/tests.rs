@@ -3,6 +3,7 @@
 mod maneuvers;
 
 use std::fs;
+use std::path::PathBuf;
 
 use maneuvers::{DASH, DIAGONAL, FLIP, Maneuver, SHORT};
 use mintime_shared::model::{Limits, State};
@@ -11,6 +12,7 @@ use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::{Document, Node};
 
 use super::*;
+use crate::drawing::png;
 
 const ALL: [Maneuver; 4] = [DIAGONAL, FLIP, DASH, SHORT];
 
@@ -239,7 +241,7 @@ fn the_ending_names_the_format() {
 
 #[test]
 fn ticks_are_at_nice_numbers() {
-    use super::axis::{Range, Steps, nice_step, tick_label, ticks};
+    use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
     assert_eq!(nice_step(10.0, 5.0, Steps::Decimal), 2.0);
     assert_eq!(nice_step(0.011, 5.0, Steps::Decimal), 0.005);
     assert_eq!(nice_step(400.0, 5.0, Steps::Degrees), 90.0);

@@ -1,11 +1,10 @@
-//! The vehicle seen from the side: a bar with two rotors, and a line along the thrust, as long as the thrust is large.
+//! The vehicle drawn along a path: where, and how large.
 
 use super::path_panel::Plane;
-use super::svg::{Svg, px};
 use super::view::{Instant, View, at};
+use crate::drawing::svg::Svg;
+use crate::drawing::symbol::{self, SPAN_M};
 
-/// Rotor tip to rotor tip of the vehicle the limits of the paper's Table I belong to, m.
-const SPAN_M: f64 = 0.5;
 /// Smallest and largest span on the page: below the tilt cannot be seen, above the drawings hide each other.
 const SPAN_PX: (f64, f64) = (24.0, 38.0);
 /// Intervals between drawings to choose from, s.
@@ -19,13 +18,6 @@ pub(super) struct Symbol {
     span_px: f64,
     thrust_max: f64,
 }
-
-/// The definition the drawings refer to: span 1, hub at the origin, upright. Colour comes from outside.
-pub(super) const DEFINITION: &str = concat!(
-    r##"<g id="vehicle" fill="none" stroke-linecap="round"><path d="M-.36 0H.36" stroke-width=".075"/>"##,
-    r##"<path d="M-.36 0V-.1M.36 0V-.1" stroke-width=".04"/>"##,
-    r##"<path d="M-.54-.115H-.18M.18-.115H.54" stroke-width=".045"/></g>"##,
-);
 
 /// Time between drawings for a maneuver of this duration, s.
 pub(super) fn interval_s(duration_s: f64) -> f64 {
@@ -61,15 +53,7 @@ impl Symbol {
         for instant in times_s.iter().filter_map(|t| at(source, *t)) {
             let (x, y) = plane.of(&instant);
             let thrust = instant.thrust_mps2.map_or(0.0, |f| (f / self.thrust_max).clamp(0.0, 1.3));
-            // θ turns the thrust axis from up towards +x: clockwise on the page, as SVG counts.
-            svg.raw(&format!(
-                r##"<g transform="translate({} {}) rotate({}) scale({})"><use href="#vehicle"/><path d="M0 0V{}" stroke-width=".03"/></g>"##,
-                px(x),
-                px(y),
-                px(instant.theta_deg % 360.0),
-                px(self.span_px),
-                px(-0.62 * thrust),
-            ));
+            symbol::draw(svg, (x, y), instant.theta_deg, self.span_px, thrust);
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use mintime_shared::model::{Inputs, RateMode, State, ThrustLevel};
 
-use super::axis::Range;
 use super::data::ReportData;
+use crate::drawing::axis::Range;
 
 /// Numbers beyond this, in any unit used here, are taken for faults and left out.
 const LARGEST: f64 = 1e6;

@@ -1,9 +1,12 @@
 //! Sweeps: a family of requests solved one from the next, and where the structure of their maneuvers changes.
 
-use mintime_shared::model::{RateMode, ThrustLevel};
+use core::fmt;
+
+use mintime_shared::model::{Inputs, RateMode, ThrustLevel};
 
 use super::extremal::Extremal;
 use super::request::{Request, Solution, SolveError};
+use super::structure::{MAX_SEGMENTS, opposite};
 use super::{solve, solve_from};
 
 /// What kind of maneuver it is, without durations: enough to see a structure change.
@@ -19,7 +22,59 @@ pub struct Shape {
     pub low_thrust: usize,
 }
 
+/// Which inputs follow each other, and how often the vehicle turns over: a maneuver without its durations.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Structure {
+    /// Winding k.
+    pub turns: i32,
+    /// Inputs by segment.
+    pub inputs: heapless::Vec<Inputs, MAX_SEGMENTS>,
+}
+
+impl Structure {
+    /// That of the mirror image in x.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mirror = |i: &Inputs| Inputs { rate: opposite(i.rate), ..*i };
+        Self { turns: -self.turns, inputs: self.inputs.iter().map(mirror).collect() }
+    }
+
+    /// Of a structure and its mirror image the one that turns forward (k > 0) or, without a turn, begins forward.
+    #[must_use]
+    pub fn up_to_mirror(&self) -> Self {
+        let forward = match self.turns {
+            0 => self.inputs.first().is_none_or(|i| i.rate != RateMode::Minus),
+            k => k > 0,
+        };
+        if forward { self.clone() } else { self.mirrored() }
+    }
+}
+
+/// In words like `+max smax -min`, the same as the reference maneuvers use.
+impl fmt::Display for Structure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, inputs) in self.inputs.iter().enumerate() {
+            let rate = match inputs.rate {
+                RateMode::Plus => "+",
+                RateMode::Minus => "-",
+                RateMode::Singular => "s",
+            };
+            let thrust = match inputs.thrust {
+                ThrustLevel::Min => "min",
+                ThrustLevel::Max => "max",
+            };
+            write!(f, "{}{rate}{thrust}", if i == 0 { "" } else { " " })?;
+        }
+        Ok(())
+    }
+}
+
 impl Extremal {
+    /// Its structure.
+    pub fn structure(&self) -> Structure {
+        Structure { turns: self.turns, inputs: self.segments.iter().map(|s| s.inputs).collect() }
+    }
+
     /// Its shape.
     pub fn shape(&self) -> Shape {
         let count = |f: &dyn Fn(RateMode, ThrustLevel) -> bool| {

@@ -1,11 +1,11 @@
 //! A map of scores over displacements: colours, and lines of equal score.
 
-use super::super::axis::{Range, Steps, nice_step, tick_label, ticks};
-use super::super::style::{AXIS_BELOW, AXIS_LEFT, FRAME, INK, MARGIN, MUTED, SMALL_SIZE, TEXT_SIZE, WIDTH};
-use super::super::svg::{Anchor, Point, Rect, Svg, TextStyle};
 use super::plot::Plot;
 use super::{header, page};
 use crate::benchmark::{Cell, ScoreMap};
+use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, FRAME, INK, MARGIN, MUTED, SMALL_SIZE, TEXT_SIZE, WIDTH};
+use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle};
 
 /// Room for the scale of colours on the right.
 const SCALE: f64 = 120.0;

@@ -6,10 +6,11 @@ mod score;
 
 use std::path::Path;
 
-use super::style::{FONT, INK, MARGIN, MUTED, TEXT_SIZE, TITLE_SIZE, WIDTH};
-use super::svg::{Rect, Svg, TextStyle, escape, fit, px};
-use super::{ReportError, save};
+use super::ReportError;
 use crate::benchmark::{Score, ScoreMap};
+use crate::drawing::file;
+use crate::drawing::style::{FONT, INK, MARGIN, MUTED, TEXT_SIZE, TITLE_SIZE, WIDTH};
+use crate::drawing::svg::{Rect, Svg, TextStyle, escape, fit, px};
 
 /// The picture of a score: path, position and pitch of the flight and of the fastest maneuver, as SVG text.
 pub fn render_score(score: &Score, title: &str, subtitle: &[String]) -> String {
@@ -21,7 +22,7 @@ pub fn render_score(score: &Score, title: &str, subtitle: &[String]) -> String {
 /// # Errors
 /// Those of [`super::write()`].
 pub fn write_score(score: &Score, title: &str, subtitle: &[String], path: &Path) -> Result<(), ReportError> {
-    save(render_score(score, title, subtitle), path)
+    file::write(&render_score(score, title, subtitle), path)
 }
 
 /// The picture of a map of scores, as SVG text.
@@ -34,7 +35,7 @@ pub fn render_map(map: &ScoreMap, title: &str, subtitle: &[String]) -> String {
 /// # Errors
 /// Those of [`super::write()`].
 pub fn write_map(map: &ScoreMap, title: &str, subtitle: &[String], path: &Path) -> Result<(), ReportError> {
-    save(render_map(map, title, subtitle), path)
+    file::write(&render_map(map, title, subtitle), path)
 }
 
 /// Title and subtitle. Returns where the panels may begin.

@@ -1,8 +1,8 @@
 //! A panel with two linear axes.
 
-use super::super::axis::{Range, Steps, nice_step, tick_label, ticks};
-use super::super::style::{FRAME, GRID, INK, SMALL_SIZE, TEXT_SIZE};
-use super::super::svg::{Anchor, Point, Rect, Svg, TextStyle};
+use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::style::{FRAME, GRID, INK, SMALL_SIZE, TEXT_SIZE};
+use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle};
 
 /// From data to the page.
 #[derive(Clone, Copy, Debug)]

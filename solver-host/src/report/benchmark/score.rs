@@ -3,12 +3,12 @@
 
 use mintime_shared::model::State;
 
-use super::super::axis::{Range, Steps};
-use super::super::style::{AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, SMALL_SIZE, TEXT_SIZE, WIDTH};
-use super::super::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
 use super::plot::Plot;
 use super::{header, page};
 use crate::benchmark::Score;
+use crate::drawing::axis::{Range, Steps};
+use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, SMALL_SIZE, TEXT_SIZE, WIDTH};
+use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
 
 /// Height of the panels together.
 const PANELS: f64 = 600.0;

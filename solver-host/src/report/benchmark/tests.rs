@@ -2,9 +2,9 @@
 
 use crate::benchmark::{Cell, Gains, Grid, Rules, ScoreMap, score_linear};
 
-use super::super::png;
 use super::map::contour;
 use super::{render_map, render_score};
+use crate::drawing::png;
 
 /// A map whose score is a plane over the displacements, with one hole.
 fn plane() -> ScoreMap {

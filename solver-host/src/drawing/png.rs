@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
-use super::ReportError;
+use super::PictureError;
 
 /// Pixels per SVG unit: sharp when a page shows the picture at half its size.
 pub const PNG_SCALE: f32 = 2.0;
@@ -19,8 +19,8 @@ static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
 });
 
 /// The picture as a PNG file of [`PNG_SCALE`] times its size.
-pub(super) fn encode(svg: &str) -> Result<Vec<u8>, ReportError> {
-    let rendering = |reason: String| ReportError::Rendering { reason };
+pub(crate) fn encode(svg: &str) -> Result<Vec<u8>, PictureError> {
+    let rendering = |reason: String| PictureError::Rendering { reason };
     let tree = parse(svg).map_err(rendering)?;
     let size = tree.size().to_int_size().scale_by(PNG_SCALE);
     let pixmap = size.and_then(|size| Pixmap::new(size.width(), size.height()));
@@ -29,7 +29,7 @@ pub(super) fn encode(svg: &str) -> Result<Vec<u8>, ReportError> {
     pixmap.encode_png().map_err(|error| rendering(error.to_string()))
 }
 
-pub(super) fn parse(svg: &str) -> Result<Tree, String> {
+pub(crate) fn parse(svg: &str) -> Result<Tree, String> {
     let options =
         Options { fontdb: FONTS.clone(), font_family: "Noto Sans".to_owned(), ..Options::default() };
     Tree::from_str(svg, &options).map_err(|error| error.to_string())

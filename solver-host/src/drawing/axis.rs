@@ -2,39 +2,39 @@
 
 /// A range of an axis, low below high, both finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Range {
-    pub(super) low: f64,
-    pub(super) high: f64,
+pub(crate) struct Range {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
 }
 
 impl Range {
     /// The smallest range that holds all values, `None` without values. Values are taken to be finite.
-    pub(super) fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
+    pub(crate) fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         values.into_iter().fold(None, |range: Option<Self>, v| {
             Some(range.map_or(Self { low: v, high: v }, |r| Self { low: r.low.min(v), high: r.high.max(v) }))
         })
     }
 
-    pub(super) fn span(&self) -> f64 {
+    pub(crate) fn span(&self) -> f64 {
         self.high - self.low
     }
 
-    pub(super) fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         0.5 * (self.low + self.high)
     }
 
     /// Both ranges.
-    pub(super) fn and(self, other: Option<Self>) -> Self {
+    pub(crate) fn and(self, other: Option<Self>) -> Self {
         other.map_or(self, |o| Self { low: self.low.min(o.low), high: self.high.max(o.high) })
     }
 
     /// What of this range lies within the other; an end of the other where nothing does.
-    pub(super) fn within(self, other: Self) -> Self {
+    pub(crate) fn within(self, other: Self) -> Self {
         Self { low: self.low.clamp(other.low, other.high), high: self.high.clamp(other.low, other.high) }
     }
 
     /// At least `span` wide, about the same middle.
-    pub(super) fn at_least(self, span: f64) -> Self {
+    pub(crate) fn at_least(self, span: f64) -> Self {
         if self.span() >= span {
             return self;
         }
@@ -43,7 +43,7 @@ impl Range {
     }
 
     /// Wider by a fraction of its span at both ends.
-    pub(super) fn padded(self, fraction: f64) -> Self {
+    pub(crate) fn padded(self, fraction: f64) -> Self {
         let pad = self.span() * fraction;
         Self { low: self.low - pad, high: self.high + pad }
     }
@@ -51,7 +51,7 @@ impl Range {
 
 /// Which steps between ticks are nice.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Steps {
+pub(crate) enum Steps {
     /// 1, 2 or 5 times a power of ten.
     Decimal,
     /// Parts of a turn: 1, 2, 5, 10, 15, 30, 45, 90 degrees and doubles of 90.
@@ -59,7 +59,7 @@ pub(super) enum Steps {
 }
 
 /// The smallest nice step that makes at most `most` intervals.
-pub(super) fn nice_step(span: f64, most: f64, steps: Steps) -> f64 {
+pub(crate) fn nice_step(span: f64, most: f64, steps: Steps) -> f64 {
     let wanted = span / most.max(1.0);
     if !(wanted.is_finite() && wanted > 0.0) {
         return 1.0;
@@ -85,13 +85,13 @@ pub(super) fn nice_step(span: f64, most: f64, steps: Steps) -> f64 {
 }
 
 /// Multiples of the step within the range: at most a hundred.
-pub(super) fn ticks(range: Range, step: f64) -> Vec<f64> {
+pub(crate) fn ticks(range: Range, step: f64) -> Vec<f64> {
     let first = (range.low / step - 1e-6).ceil();
     (0..100).map(|i| (first + f64::from(i)) * step).take_while(|v| *v <= range.high + 1e-6 * step).collect()
 }
 
 /// A tick's label with as many decimals as the step needs, and a true minus sign.
-pub(super) fn tick_label(value: f64, step: f64) -> String {
+pub(crate) fn tick_label(value: f64, step: f64) -> String {
     let decimals = (-step.log10() - 1e-9).ceil().clamp(0.0, 9.0) as usize;
     let text = format!("{value:.decimals$}");
     if text.trim_matches(['-', '0', '.']).is_empty() {

@@ -3,30 +3,30 @@
 use std::fmt::Write as _;
 
 /// A point on the page, SVG units, y down.
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 /// A rectangle on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rect {
-    pub(super) x: f64,
-    pub(super) y: f64,
-    pub(super) width: f64,
-    pub(super) height: f64,
+pub(crate) struct Rect {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
 }
 
 impl Rect {
-    pub(super) fn right(&self) -> f64 {
+    pub(crate) fn right(&self) -> f64 {
         self.x + self.width
     }
 
-    pub(super) fn bottom(&self) -> f64 {
+    pub(crate) fn bottom(&self) -> f64 {
         self.y + self.height
     }
 }
 
 /// Where a text is anchored.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Anchor {
+pub(crate) enum Anchor {
     Start,
     Middle,
     End,
@@ -34,65 +34,65 @@ pub(super) enum Anchor {
 
 /// How a text looks.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TextStyle {
-    pub(super) size: f64,
-    pub(super) colour: &'static str,
-    pub(super) anchor: Anchor,
-    pub(super) bold: bool,
+pub(crate) struct TextStyle {
+    pub(crate) size: f64,
+    pub(crate) colour: &'static str,
+    pub(crate) anchor: Anchor,
+    pub(crate) bold: bool,
 }
 
 impl TextStyle {
-    pub(super) fn new(size: f64, colour: &'static str) -> Self {
+    pub(crate) fn new(size: f64, colour: &'static str) -> Self {
         Self { size, colour, anchor: Anchor::Start, bold: false }
     }
 
-    pub(super) fn anchored(self, anchor: Anchor) -> Self {
+    pub(crate) fn anchored(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }
 
-    pub(super) fn bold(self) -> Self {
+    pub(crate) fn bold(self) -> Self {
         Self { bold: true, ..self }
     }
 }
 
 /// A growing SVG document. Colours and widths come as ready attributes, data only as numbers and escaped text.
 #[derive(Default)]
-pub(super) struct Svg {
+pub(crate) struct Svg {
     out: String,
 }
 
 impl Svg {
-    pub(super) fn raw(&mut self, markup: &str) {
+    pub(crate) fn raw(&mut self, markup: &str) {
         self.out.push_str(markup);
         self.out.push('\n');
     }
 
-    pub(super) fn open_group(&mut self, attributes: &str) {
+    pub(crate) fn open_group(&mut self, attributes: &str) {
         let _ = writeln!(self.out, "<g {attributes}>");
     }
 
-    pub(super) fn close_group(&mut self) {
+    pub(crate) fn close_group(&mut self) {
         self.out.push_str("</g>\n");
     }
 
-    pub(super) fn rect(&mut self, rect: &Rect, attributes: &str) {
+    pub(crate) fn rect(&mut self, rect: &Rect, attributes: &str) {
         let [x, y, width, height] = [rect.x, rect.y, rect.width, rect.height].map(px);
         let _ =
             writeln!(self.out, r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {attributes}/>"#);
     }
 
-    pub(super) fn line(&mut self, from: Point, to: Point, attributes: &str) {
+    pub(crate) fn line(&mut self, from: Point, to: Point, attributes: &str) {
         let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(px);
         let _ = writeln!(self.out, r#"<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" {attributes}/>"#);
     }
 
-    pub(super) fn circle(&mut self, centre: Point, radius: f64, attributes: &str) {
+    pub(crate) fn circle(&mut self, centre: Point, radius: f64, attributes: &str) {
         let [x, y, r] = [centre.0, centre.1, radius].map(px);
         let _ = writeln!(self.out, r#"<circle cx="{x}" cy="{y}" r="{r}" {attributes}/>"#);
     }
 
     /// A curve through points, thinned to what can be seen. Nothing for fewer than two points.
-    pub(super) fn curve(&mut self, points: &[Point], attributes: &str) {
+    pub(crate) fn curve(&mut self, points: &[Point], attributes: &str) {
         let points = simplify(points);
         if points.len() < 2 {
             return;
@@ -105,12 +105,28 @@ impl Svg {
         let _ = writeln!(self.out, "\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>");
     }
 
-    pub(super) fn text(&mut self, at: Point, text: &str, style: TextStyle) {
+    /// An area within closed outlines, thinned to what can be seen; holes are outlines within others.
+    pub(crate) fn area(&mut self, outlines: &[Vec<Point>], attributes: &str) {
+        self.out.push_str("<path d=\"");
+        for outline in outlines {
+            let points = simplify(outline);
+            if points.len() < 3 {
+                continue;
+            }
+            for (i, (x, y)) in points.into_iter().enumerate() {
+                let _ = write!(self.out, "{}{},{}", if i == 0 { 'M' } else { 'L' }, px(x), px(y));
+            }
+            self.out.push('Z');
+        }
+        let _ = writeln!(self.out, "\" fill-rule=\"evenodd\" {attributes}/>");
+    }
+
+    pub(crate) fn text(&mut self, at: Point, text: &str, style: TextStyle) {
         self.text_with(at, text, style, "");
     }
 
     /// Text that reads upwards, centred on the point.
-    pub(super) fn text_upwards(&mut self, at: Point, text: &str, style: TextStyle) {
+    pub(crate) fn text_upwards(&mut self, at: Point, text: &str, style: TextStyle) {
         let rotation = format!(r#" transform="rotate(-90 {} {})""#, px(at.0), px(at.1));
         self.text_with(at, text, style.anchored(Anchor::Middle), &rotation);
     }
@@ -129,17 +145,17 @@ impl Svg {
             px(at.1),
             px(style.size),
             style.colour,
-            escape(text),
+            with_subscripts(text, style.size),
         );
     }
 
-    pub(super) fn finish(self) -> String {
+    pub(crate) fn finish(self) -> String {
         self.out
     }
 }
 
 /// A length with at most two decimals. What is not finite becomes 0, what is far off the page is brought nearer.
-pub(super) fn px(value: f64) -> String {
+pub(crate) fn px(value: f64) -> String {
     let value = if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 };
     let mut text = format!("{value:.2}");
     // `{:.2}` always writes a point, so only decimals are cut.
@@ -148,7 +164,7 @@ pub(super) fn px(value: f64) -> String {
 }
 
 /// Text as XML character data; characters that XML 1.0 does not allow are left out.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -164,8 +180,51 @@ pub(super) fn escape(text: &str) -> String {
     out
 }
 
-/// About how wide a text is in the embedded font.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+/// Text as markup: what stands in `_{}` is a subscript. Shifted by hand, because not every viewer knows `baseline-shift`.
+fn with_subscripts(text: &str, size: f64) -> String {
+    let shift = px(SUBSCRIPT_DROP * size);
+    let mut out = String::new();
+    let mut rest = text;
+    let mut lowered = false;
+    while let Some((before, (subscript, after))) =
+        rest.split_once("_{").and_then(|(before, tail)| Some((before, tail.split_once('}')?)))
+    {
+        raised(&mut out, before, &shift, lowered);
+        // Writing to a string does not fail.
+        let _ = write!(
+            out,
+            r#"<tspan dy="{shift}" font-size="{}">{}</tspan>"#,
+            px(SUBSCRIPT_SIZE * size),
+            escape(subscript)
+        );
+        (rest, lowered) = (after, true);
+    }
+    raised(&mut out, rest, &shift, lowered);
+    out
+}
+
+/// Text on the base line, after a subscript or not.
+fn raised(out: &mut String, text: &str, shift: &str, lowered: bool) {
+    if lowered && !text.is_empty() {
+        let _ = write!(out, r#"<tspan dy="-{shift}">{}</tspan>"#, escape(text));
+    } else {
+        out.push_str(&escape(text));
+    }
+}
+
+/// Size of subscripts, relative.
+const SUBSCRIPT_SIZE: f64 = 0.72;
+/// How much lower they stand, in sizes of the text.
+const SUBSCRIPT_DROP: f64 = 0.22;
+
+/// About how wide a text is in the embedded font; subscripts count as they are drawn.
+pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+    if let Some((before, tail)) = text.split_once("_{")
+        && let Some((subscript, after)) = tail.split_once('}')
+    {
+        let sides = text_width(before, size) + text_width(after, size);
+        return sides + text_width(subscript, SUBSCRIPT_SIZE * size);
+    }
     let em = |c: char| match c {
         'i' | 'j' | 'l' | '\'' | '.' | ',' | ':' | ';' | '|' | '!' | ' ' => 0.27,
         'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' | '/' => 0.37,
@@ -179,7 +238,7 @@ pub(super) fn text_width(text: &str, size: f64) -> f64 {
 }
 
 /// The text, cut with an ellipsis if it is wider than `width`.
-pub(super) fn fit(text: &str, size: f64, width: f64) -> String {
+pub(crate) fn fit(text: &str, size: f64, width: f64) -> String {
     if text_width(text, size) <= width {
         return text.to_owned();
     }
