@@ -53,6 +53,16 @@ fn a_flight_is_scored_from_its_log() {
     let caught = answer(here, &["benchmark", "flight.mcap"]);
     assert!((1.5..4.0).contains(&number(&caught, "/score")), "{caught}");
 
+    // Cut before the maneuver, and cut after the catch.
+    let log = fs::read(here.join("flight.mcap")).expect("a log");
+    fs::write(here.join("cut.mcap"), &log[..log.len() / 20]).expect("written");
+    let text = refusal(here, &["benchmark", "cut.mcap"]);
+    assert!(text.contains("before its maneuver began") && text.contains("the file is cut"), "{text}");
+    fs::write(here.join("cut.mcap"), &log[..log.len() * 3 / 4]).expect("written");
+    let cut = answer(here, &["benchmark", "cut.mcap"]);
+    assert_eq!(cut["score"], caught["score"]);
+    assert!(cut["remarks"][0].as_str().is_some_and(|note| note.contains("is cut")), "{cut}");
+
     // The same flight as CSV: what the command writes it reads, and finds the same score.
     answer(here, &["benchmark", "flight.mcap", "-o", "flown.csv"]);
     let (from, to) = (caught["from"].clone(), caught["to"].clone());

@@ -81,6 +81,16 @@ pub enum BenchmarkError {
     /// Not exactly two hovers.
     #[error("{}", ambiguous(.0))]
     Ambiguous(Vec<Candidate>),
+    /// The log ends before the maneuver that it declares.
+    #[error(
+        "the log ends at {last_s:.3} s, before its maneuver began at {start_s:.3} s: there is no flight to measure in it"
+    )]
+    EndsBefore {
+        /// When the log ends, s.
+        last_s: f64,
+        /// When the maneuver began, s.
+        start_s: f64,
+    },
     /// Nothing in the window asked for.
     #[error("the log lasts from {first_s} s to {last_s} s: --between must leave at least two samples of it")]
     Window {

@@ -217,6 +217,10 @@ fn differ(a: &Limits<f64>, b: &Limits<f64>) -> bool {
 /// The two states, where nobody has named them.
 fn find_ends(flight: &Flight, rules: &Rules) -> Result<(Goal, Goal), BenchmarkError> {
     if let Some(declared) = flight.declared {
+        let (_, last_s) = flight.span_s();
+        if last_s <= declared.start_s {
+            return Err(BenchmarkError::EndsBefore { last_s, start_s: declared.start_s });
+        }
         let begin = flight.at(declared.start_s);
         let displacement = Sample::planar(0.0, declared.displacement, declared.heading_rad).position_m;
         let place = |position_m: Vector3<f64>| Goal::hover(position_m.into());

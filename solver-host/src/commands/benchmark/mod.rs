@@ -164,7 +164,11 @@ impl Benchmark {
                     flight = flight.window(from_s, to_s)?;
                 }
                 let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-                self.show(&score(&flight, self.from.zip(self.to), &rules)?, &name, None)?;
+                let score = score(&flight, self.from.zip(self.to), &rules).inspect_err(|_| {
+                    // What the reader met may be why there is no score.
+                    flight.remarks.iter().for_each(|remark| eprintln!("mintime: note: {remark}"));
+                })?;
+                self.show(&score, &name, None)?;
             }
             (None, Some(Controller::Linear)) if self.map => return self.map(&rules),
             (None, _) => {

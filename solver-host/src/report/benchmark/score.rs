@@ -55,25 +55,30 @@ pub(super) fn draw(score: &Score, title: &str, subtitle: &[String]) -> String {
         let plot =
             Plot { rect, x: Range { low: 0.0, high: 1.04 * score.duration_s.max(optimal_s) }, y: range };
         plot.axes(&mut svg, if i == 2 { "time from departure (s)" } else { "" }, label, steps, false);
-        for (t, name) in [(optimal_s, "T*"), (score.duration_s, "T")] {
-            let (x, _) = plot.point(t, range.low);
-            svg.line(
-                (x, rect.y),
-                (x, rect.bottom()),
-                &format!(r#"stroke="{LIMIT}" stroke-width="1.2" stroke-dasharray="5 4""#),
-            );
-            if i == 0 {
-                let style = TextStyle::new(SMALL_SIZE, INK).bold().anchored(Anchor::Middle);
-                svg.text((x, rect.y - 5.0), name, style);
-            }
-        }
+        durations(&mut svg, &plot, optimal_s, score.duration_s, i == 0);
         let points =
             |track: &Track| -> Vec<Point> { track.iter().map(|(t, s)| plot.point(*t, value(s))).collect() };
-        svg.curve(&points(&score.flown), &format!(r#"stroke="{FLOWN}" stroke-width="2""#));
-        svg.curve(&points(&optimal), &format!(r#"stroke="{INK}" stroke-width="1.6""#));
+        svg.curve(&points(&score.flown), &format!(r#"stroke="{FLOWN}" stroke-width="3""#));
+        svg.curve(&points(&optimal), &format!(r#"stroke="{INK}" stroke-width="1.4""#));
         plot.frame(&mut svg);
     }
     page(title, subtitle, y + PANELS + AXIS_BELOW + MARGIN, svg)
+}
+
+/// Where the fastest maneuver and the flight end, with their names if `named`: side by side where they are close.
+fn durations(svg: &mut Svg, plot: &Plot, optimal_s: f64, duration_s: f64, named: bool) {
+    let x = |t: f64| plot.point(t, plot.y.low).0;
+    let close = (x(optimal_s) - x(duration_s)).abs() < 24.0;
+    let (before, after) = if close { (Anchor::End, Anchor::Start) } else { (Anchor::Middle, Anchor::Middle) };
+    let gap = if close { 3.0 } else { 0.0 };
+    for (x, name, anchor, shift) in [(x(optimal_s), "T*", before, -gap), (x(duration_s), "T", after, gap)] {
+        let dashes = format!(r#"stroke="{LIMIT}" stroke-width="1.2" stroke-dasharray="5 4""#);
+        svg.line((x, plot.rect.y), (x, plot.rect.bottom()), &dashes);
+        if named {
+            let style = TextStyle::new(SMALL_SIZE, INK).bold().anchored(anchor);
+            svg.text((x + shift, plot.rect.y - 5.0), name, style);
+        }
+    }
 }
 
 fn legend(svg: &mut Svg, y: f64, step_s: f64) -> f64 {
@@ -101,7 +106,7 @@ fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: 
     let least = (0.02 * x.span().max(z.span())).max(1e-3);
     let plot = Plot::to_scale(rect, x.at_least(least).padded(0.07), z.at_least(least).padded(0.07));
     plot.axes(svg, "x (m)", "z (m)", Steps::Decimal, true);
-    for (track, colour, width) in [(flown, FLOWN, 2.0), (optimal, INK, 1.6)] {
+    for (track, colour, width) in [(flown, FLOWN, 3.0), (optimal, INK, 1.4)] {
         let points: Vec<Point> = track.iter().map(|(_, s)| plot.point(s.x, s.z)).collect();
         svg.curve(&points, &format!(r#"stroke="{colour}" stroke-width="{width}""#));
         let last_s = track.last().map_or(0.0, |(t, _)| *t);
@@ -114,7 +119,7 @@ fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: 
             };
             let u = if tb > ta { (mark - ta) / (tb - ta) } else { 0.0 };
             let at = plot.point(a.x + (b.x - a.x) * u, a.z + (b.z - a.z) * u);
-            svg.circle(at, 3.6, &format!(r##"fill="{colour}" stroke="#ffffff" stroke-width="0.8""##));
+            svg.circle(at, width + 1.6, &format!(r##"fill="{colour}" stroke="#ffffff" stroke-width="0.8""##));
         }
     }
     if let (Some((_, first)), Some((_, last))) = (flown.first(), flown.last()) {
