@@ -636,7 +636,7 @@ fn fly_virtual(
 }
 
 /// A witness that looks away.
-struct Unseen;
+pub(crate) struct Unseen;
 
 impl Witness for Unseen {
     fn phase(&mut self, _: Phase, _: f64) {}

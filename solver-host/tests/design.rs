@@ -36,8 +36,8 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// With the unit of time changed and gravity and thrusts in the new units, the same maneuver takes the same number of units:
-/// 2 d ln T/d ln distance = 1 + d ln T/d ln ω_max. The left side is found by differences of T alone.
+/// By eq. (3) ω T is a function of ω² times the displacement, thrusts and gravity fixed: 2 d ln T/d ln distance =
+/// 1 + d ln T/d ln ω. The left side is found by differences of T alone.
 #[test]
 fn the_rates_elasticity_follows_from_similarity() {
     let study = usual();
@@ -66,7 +66,7 @@ fn more_of_a_limit_never_hurts() {
                 assert!(better < 1e-9, "({}, {}) {:?}: {pair:?}", m.x_m, m.z_m, curve.parameter);
             }
         }
-        assert!(Study::buys_most(m).is_some());
+        assert!(m.buys_most().is_some());
     }
 }
 

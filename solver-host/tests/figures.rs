@@ -180,7 +180,9 @@ fn fig_5_shows_both_branches() {
         assert!(t_s < level_s, "{z_m} m");
         let (none_s, one_s) = (number(&row, "without_turn_s"), number(&row, "with_one_turn_s"));
         assert!((t_s - none_s.min(one_s)).abs() < 1e-9, "{z_m} m: {t_s} of {none_s}, {one_s}");
-        assert_eq!(row["turns"] == "0", z_m < 2.955_5, "{z_m} m");
+        if (z_m - 2.955_44).abs() > 1e-4 {
+            assert_eq!(row["turns"] == "0", z_m < 2.955_44, "{z_m} m");
+        }
         assert_eq!(level_s < one_s, z_m < 2.508, "{z_m} m");
     }
 }
@@ -280,7 +282,7 @@ fn the_structure_changes_across_the_maps_lines() {
     }
     let on_grid = |v: f64, step: f64| (v / step - (v / step).round()).abs() < 1e-9;
     let (mut tried, mut agreed) = (0, 0);
-    for row in rows.iter().step_by(17) {
+    for row in rows.iter().step_by(11) {
         let (x, z) = (number(row, "x_m"), number(row, "z_m"));
         // Points on vertical grid lines of the whole chart were found by going up along them.
         if x < 0.5 || !on_grid(x, 0.1) || on_grid(z, 0.1) || z < 0.01 {
@@ -288,8 +290,8 @@ fn the_structure_changes_across_the_maps_lines() {
         }
         tried += 1;
         let side = |dz: f64| solve(&Request::rest_to_rest(x, z + dz)).expect("solves").extremal;
-        let (below, above) = (side(-1e-3), side(1e-3));
-        let above = solve_beside(&below, &Request::rest_to_rest(x, z + 1e-3)).map_or(above, |s| s.extremal);
+        let (below, above) = (side(-5e-3), side(5e-3));
+        let above = solve_beside(&below, &Request::rest_to_rest(x, z + 5e-3)).map_or(above, |s| s.extremal);
         let names = [&row["structure_on_one_side"], &row["structure_on_other"]].map(String::clone);
         let found = [below.structure().to_string(), above.structure().to_string()];
         let swapped = [found[1].clone(), found[0].clone()];

@@ -170,7 +170,7 @@ fn text(study: &Study, files: &[PathBuf]) -> String {
             ));
         }
         lines.extend(
-            Study::buys_most(m)
+            m.buys_most()
                 .filter(|_| m.curves.len() > 1)
                 .map(|c| format!("    {} buys the most", c.parameter.name())),
         );
@@ -209,7 +209,7 @@ fn summary(study: &Study, files: &[PathBuf], wall_time_s: f64) -> Value {
             "x_m": m.x_m,
             "z_m": m.z_m,
             "duration_s": m.duration_s,
-            "buys_most": Study::buys_most(m).map(|c| c.parameter),
+            "buys_most": m.buys_most().map(|c| c.parameter),
             "curves": m.curves.iter().map(curve).collect::<Vec<_>>(),
         })
     };

@@ -24,16 +24,17 @@ pub(crate) struct Figures {
     output: PathBuf,
     /// Only these figures
     #[arg(long, value_name = "NAME", value_delimiter = ',',
-          value_parser = PossibleValuesParser::new(Figure::ALL.map(Figure::name)).map(|name| by_name(&name)))]
+          value_parser = PossibleValuesParser::new(Figure::ALL.map(Figure::name)).try_map(|name| by_name(&name)))]
     only: Vec<Figure>,
     /// Print files and key numbers as JSON
     #[arg(long)]
     json: bool,
 }
 
-/// The figure of a name that has been checked.
-fn by_name(name: &str) -> Figure {
-    Figure::ALL.into_iter().find(|figure| figure.name() == name).unwrap_or(Figure::Fig1)
+/// The figure of a name.
+fn by_name(name: &str) -> Result<Figure, String> {
+    let found = Figure::ALL.into_iter().find(|figure| figure.name() == name);
+    found.ok_or_else(|| format!("there is no figure `{name}`"))
 }
 
 impl Figures {
@@ -75,9 +76,6 @@ impl Figures {
     /// Everything that can be refused is refused before anything is computed.
     fn prepare_folder(&self) -> Result<(), Box<dyn Error>> {
         let folder = &self.output;
-        if folder.as_os_str().is_empty() {
-            return Err("-o names no folder: give one, e.g. -o figures".into());
-        }
         if folder.exists() && !folder.is_dir() {
             return Err(format!("{} is no folder: give the name of one", folder.display()).into());
         }

@@ -85,7 +85,7 @@ impl Parameter {
                 let least = 1.05 * gravity.max(limits.thrust_min_mps2);
                 ((0.6 * value).max(least), (2.0 * value).max(1.2 * least))
             }
-            Self::MinThrust => (0.02 * gravity, 0.95 * gravity),
+            Self::MinThrust => ((0.02 * gravity).min(value), (0.95 * gravity).max(value)),
             Self::Rate => (0.3 * value, 3.0 * value),
         };
         Range { low, high, count: POINTS }
@@ -196,6 +196,13 @@ pub struct Maneuver {
     pub curves: Vec<Curve>,
 }
 
+impl Maneuver {
+    /// The parameter whose change by one per cent changes T most.
+    pub fn buys_most(&self) -> Option<&Curve> {
+        self.curves.iter().max_by(|a, b| a.here.elasticity.abs().total_cmp(&b.here.elasticity.abs()))
+    }
+}
+
 /// A study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
@@ -292,11 +299,6 @@ impl Question {
 const FASTER: f64 = 1e-9;
 
 impl Study {
-    /// The parameter whose change by one per cent changes T most, for a maneuver.
-    pub fn buys_most(maneuver: &Maneuver) -> Option<&Curve> {
-        maneuver.curves.iter().max_by(|a, b| a.here.elasticity.abs().total_cmp(&b.here.elasticity.abs()))
-    }
-
     /// The picture, as SVG.
     pub fn svg(&self) -> String {
         picture::draw(self)

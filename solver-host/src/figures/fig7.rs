@@ -13,8 +13,7 @@ use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::style::{FLOWN, INK, MARGIN, SINGULAR, WIDTH};
 use crate::drawing::svg::Svg;
-use crate::flight::{Phase, Witness};
-use crate::mission::{Mission, PlantChoice, Source, VehicleChoice, fly_mission, prepare};
+use crate::mission::{Mission, PlantChoice, Source, Unseen, VehicleChoice, fly_mission, prepare};
 use crate::report::FlownSample;
 use crate::solver::Turns;
 use mintime_simulator::VehicleParameters;
@@ -25,14 +24,6 @@ const STEP_S: f64 = 0.001;
 const AROUND_S: (f64, f64) = (0.1, 0.4);
 /// Seed of the simulated noise.
 const SEED: u64 = 1;
-
-/// Nobody watches.
-struct Unseen;
-
-impl Witness for Unseen {
-    fn phase(&mut self, _: Phase, _: f64) {}
-    fn event(&mut self, _: f64, _: &str) {}
-}
 
 pub(super) fn draw() -> Result<Content, FigureError> {
     let to = State::at_rest(5.0, 5.0);

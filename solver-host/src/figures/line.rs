@@ -4,11 +4,18 @@ use crate::parallel;
 use crate::solver::sweep::Structure;
 use crate::solver::{Extremal, Request, SolveError, solve, solve_from};
 
-/// A maneuver is faster than another only by more than this, relative.
-const FASTER: f64 = 1e-10;
+/// Durations that differ by less than this, relative, are the same.
+const SAME: f64 = 1e-10;
+
+/// Whether a maneuver is to be preferred to another between the same two states: it is faster or, equally fast, has more
+/// segments. Just after a piece has appeared it gains less than can be told, and the maneuver without it is still accepted.
+pub(crate) fn beats(one: &Extremal, other: &Extremal) -> bool {
+    let gain = 1.0 - one.duration_s() / other.duration_s();
+    gain > SAME || (gain > -SAME && one.segments.len() > other.segments.len())
+}
 
 /// Structures that last no longer than this many tolerances are rounding.
-const ROUNDING: f64 = 2.0;
+const ROUNDING: f64 = 3.0;
 
 /// One maneuver of a family.
 #[derive(Clone, Debug)]
@@ -38,12 +45,33 @@ impl<R: Fn(f64) -> Request + Sync> Family<R> {
         let request = (self.request)(at);
         let one = solve_from(&a.extremal, &request)?.extremal;
         let other = solve_from(&b.extremal, &request)?.extremal;
-        let faster = other.duration_s() < one.duration_s() * (1.0 - FASTER);
-        Ok(self.sample(at, if faster { other } else { one }))
+        let best = if beats(&other, &one) { other } else { one };
+        Ok(self.sample(at, best))
     }
 
-    /// All changes of structure between two samples, each as the samples on its two sides, at most `tolerance` apart.
+    /// All changes of structure between two samples, each as the samples on its two sides, at most `tolerance` apart or a
+    /// few where the structure changes in two places at once.
     pub(crate) fn changes(
+        &self,
+        a: &Sample,
+        b: &Sample,
+        tolerance: f64,
+    ) -> Result<Vec<(Sample, Sample)>, SolveError> {
+        let mut found = Vec::new();
+        self.bisect(a, b, tolerance, &mut found)?;
+        let mut lasting: Vec<(Sample, Sample)> = Vec::new();
+        for (before, after) in found {
+            match lasting.last_mut() {
+                // Where two parts of a structure change at once, rounding tears them apart.
+                Some(last) if before.at - last.1.at <= ROUNDING * tolerance => last.1 = after,
+                _ => lasting.push((before, after)),
+            }
+            lasting.pop_if(|last| last.0.structure == last.1.structure);
+        }
+        Ok(lasting)
+    }
+
+    fn bisect(
         &self,
         a: &Sample,
         b: &Sample,
@@ -59,8 +87,8 @@ impl<R: Fn(f64) -> Request + Sync> Family<R> {
             return Ok(());
         }
         let m = self.between(a, b, middle)?;
-        self.changes(a, &m, tolerance, found)?;
-        self.changes(&m, b, tolerance, found)
+        self.bisect(a, &m, tolerance, found)?;
+        self.bisect(&m, b, tolerance, found)
     }
 
     /// The fastest maneuvers at the parameters given, which rise, and on both sides of every change of structure.
@@ -78,11 +106,7 @@ impl<R: Fn(f64) -> Request + Sync> Family<R> {
         for i in (1..samples.len()).rev() {
             self.learn(&mut samples, i - 1, i);
         }
-        let refine = |pair: &(Sample, Sample)| -> Result<Vec<(Sample, Sample)>, SolveError> {
-            let mut found = Vec::new();
-            self.changes(&pair.0, &pair.1, tolerance, &mut found)?;
-            Ok(found)
-        };
+        let refine = |pair: &(Sample, Sample)| self.changes(&pair.0, &pair.1, tolerance);
         let pairs: Vec<(Sample, Sample)> =
             samples.iter().cloned().zip(samples.iter().skip(1).cloned()).collect();
         let mut refined = Vec::new();
@@ -92,13 +116,7 @@ impl<R: Fn(f64) -> Request + Sync> Family<R> {
         }
         refined.extend(samples.pop());
         refined.dedup_by(|b, a| a.at == b.at);
-        // Where two parts of a structure change at once, rounding tears them apart.
-        let lasting = |group: &[Sample]| match group {
-            [first, .., last] => last.at - first.at > ROUNDING * tolerance || given(first, parameters),
-            group => group.iter().any(|s| given(s, parameters)),
-        };
-        let groups = refined.chunk_by(|a, b| a.structure == b.structure);
-        Ok(groups.filter(|group| lasting(group)).flatten().cloned().collect())
+        Ok(refined)
     }
 
     fn learn(&self, samples: &mut [Sample], pupil: usize, teacher: usize) {
@@ -107,16 +125,11 @@ impl<R: Fn(f64) -> Request + Sync> Family<R> {
             return;
         }
         if let Ok(other) = solve_from(&t.extremal, &(self.request)(p.at))
-            && other.extremal.duration_s() < p.extremal.duration_s() * (1.0 - FASTER)
+            && beats(&other.extremal, &p.extremal)
         {
             samples[pupil] = self.sample(p.at, other.extremal);
         }
     }
-}
-
-/// Whether a sample stands at one of the parameters asked for.
-fn given(sample: &Sample, parameters: &[f64]) -> bool {
-    parameters.binary_search_by(|p| p.total_cmp(&sample.at)).is_ok()
 }
 
 /// Where the structure changes along refined samples: between the two on its sides.

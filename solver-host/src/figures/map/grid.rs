@@ -1,6 +1,6 @@
 //! Fastest maneuvers on a grid of displacements, and where between its points their structure changes.
 
-use crate::figures::line::{Family, Sample};
+use crate::figures::line::{Family, Sample, beats};
 use crate::parallel;
 use crate::solver::sweep::Structure;
 use crate::solver::{Extremal, Request, SolveError, solve, solve_from};
@@ -9,9 +9,6 @@ use crate::solver::{Extremal, Request, SolveError, solve, solve_from};
 pub(super) const OFF_AXIS_M: f64 = 1e-4;
 /// Changes of structure are found to this, m.
 pub(super) const TOLERANCE_M: f64 = 1e-4;
-/// A maneuver is faster than another only by more than this, relative.
-const FASTER: f64 = 1e-10;
-
 /// A point of the plane, m.
 pub(super) type Place = (f64, f64);
 
@@ -131,8 +128,8 @@ fn learn(extremals: &mut [Extremal], places: &[Place], columns: usize) {
                 .filter(|&n| extremals[n].structure() != here.structure())
                 .filter_map(|n| solve_from(&extremals[n], &request(places[i])).ok())
                 .map(|solution| solution.extremal)
-                .min_by(|a, b| a.duration_s().total_cmp(&b.duration_s()))?;
-            (better.duration_s() < here.duration_s() * (1.0 - FASTER)).then_some((i, better))
+                .reduce(|a, b| if beats(&b, &a) { b } else { a })?;
+            beats(&better, here).then_some((i, better))
         };
         let all: Vec<usize> = (0..extremals.len()).collect();
         let improved: Vec<_> = parallel::map(&all, look, |_| {}).into_iter().flatten().collect();
@@ -153,9 +150,8 @@ fn crossings(
     let length_m = (to.0 - from.0).hypot(to.1 - from.1);
     let at = |part: f64| (from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part);
     let family = Family { request: |part: f64| request(at(part)), name: Extremal::structure };
-    let mut found = Vec::new();
     let end = Sample { at: 1.0, ..b.clone() };
-    family.changes(a, &end, TOLERANCE_M / length_m, &mut found)?;
+    let found = family.changes(a, &end, TOLERANCE_M / length_m)?;
     Ok(found
         .into_iter()
         .map(|(before, after)| (at(0.5 * (before.at + after.at)), before.structure, after.structure))

@@ -156,6 +156,9 @@ fn joined(arcs: &[Arc], partner: &[usize]) -> Vec<(usize, Vec<usize>)> {
     pieces
 }
 
+/// What a line along the cell's own edge costs, m: it would cut off nothing, and hide a stripe through the cell.
+const ALONG_THE_RIM: f64 = 1e3;
+
 /// The shortest way to join changes between the same two structures in pairs, without crossing. `None` where there is no
 /// such way.
 fn pairing(points: &Points, changes: &[(usize, usize, usize)]) -> Option<Vec<usize>> {
@@ -188,7 +191,8 @@ fn shortest(points: &Points, changes: &[(usize, usize, usize)], open: &[usize]) 
         let inside = shortest(points, changes, &rest[..position]);
         let outside = shortest(points, changes, &rest[position + 1..]);
         if let (Some(inside), Some(outside)) = (inside, outside) {
-            let length = (p.0 - q.0).hypot(p.1 - q.1) + inside.0 + outside.0;
+            let rim = if p.0 == q.0 || p.1 == q.1 { ALONG_THE_RIM } else { 0.0 };
+            let length = (p.0 - q.0).hypot(p.1 - q.1) + rim + inside.0 + outside.0;
             if best.as_ref().is_none_or(|(least, _)| length < *least) {
                 best = Some((length, [vec![(a, b)], inside.1, outside.1].concat()));
             }
