@@ -61,7 +61,7 @@ fn every_documented_command_line_is_understood() {
             let arguments = std::iter::once("mintime".to_owned()).chain(words(&line));
             match Arguments::try_parse_from(arguments) {
                 Err(error) if error.use_stderr() => {
-                    wrong.push(format!("{}: mintime {line}\n{error}", page.display()))
+                    wrong.push(format!("{}: mintime {line}\n{error}", page.display()));
                 }
                 _ => {}
             }
