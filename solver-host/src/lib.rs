@@ -5,6 +5,7 @@
 //! request ─→ solver ─→ verified extremal ─→ pack ─→ table ─→ flight: upload, hover, trigger, catch, land, download
 //!                                                                │
 //!                                        mission (truth against plan) ─→ flight_log, report, page
+//!                                        learning (cameras against plan) ─→ the next table
 //! ```
 //!
 //! Without the feature `std` only [`solver`] and [`pack`] are left, for targets with no operating system.

@@ -520,9 +520,11 @@ pub fn prepare_for(
     Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent })
 }
 
-/// Whether a simulated airframe can be expected to fly a plan at all.
-fn check_plant(plant: &VehicleParameters, table: &ManeuverTable) -> Result<(), MissionError> {
-    let planned = table.limits.cast::<f64>();
+/// Whether a simulated airframe can be expected to fly a plan within these limits at all.
+///
+/// # Errors
+/// [`MissionError::PlantGravity`], [`MissionError::PlantThrust`].
+pub fn check_plant(plant: &VehicleParameters, planned: &Limits<f64>) -> Result<(), MissionError> {
     if (plant.gravity_mps2 - planned.gravity_mps2).abs() > GRAVITY_TOLERANCE_MPS2 {
         return Err(MissionError::PlantGravity {
             plant_mps2: plant.gravity_mps2,
@@ -561,7 +563,7 @@ pub fn fly_again(
     vehicle: &VehicleChoice,
     witness: &mut impl Witness,
 ) -> Result<Flown, MissionError> {
-    check_plant(&mission.plant.parameters, &prepared.table)?;
+    check_plant(&mission.plant.parameters, &prepared.table.limits.cast())?;
     let floor_m = mission
         .room
         .map_or_else(|| prepared.extent.z_m.0 - prepared.extent.catch_distance_m(), |room| room.z_m.0);

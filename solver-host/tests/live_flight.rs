@@ -195,3 +195,32 @@ fn without_eyes_or_walls_nothing_flies() {
     assert!(state == "Calibrating" || state == "Disarmed", "{state}");
     world.end();
 }
+
+#[test]
+fn a_real_vehicle_is_identified_flies_what_it_learns_and_flies_back() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let world = World::new(f64::INFINITY);
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = Command::new(env!("CARGO_BIN_EXE_mintime"))
+        .args(["learn", "--to", "1,0.5", "--vehicle", &world.port, "--mocap", &world.mocap])
+        .args(["--room", "-4,6,-4,4,-3,6", "--flights", "2", "--repeats", "0", "--output", "kept", "--json"])
+        .current_dir(folder.path())
+        .output()
+        .expect("it starts");
+    let answer = json(&output);
+    let flights = answer["flights"].as_array().unwrap_or_else(|| panic!("{answer:#}"));
+    assert_eq!(flights.len(), 2, "{answer:#}");
+    for flight in flights {
+        // The second flight began where the first one did.
+        let at = |name: &str| flight["start_error"][name].as_f64().unwrap_or_else(|| panic!("{answer:#}"));
+        assert!(
+            at("x_m").abs() < 0.05 && at("z_m").abs() < 0.05 && at("theta_rad").abs() < 5e-3,
+            "{answer:#}"
+        );
+        let x = flight["final_error"]["x_m"].as_f64().expect("a number");
+        assert!(x.abs() < 1.0 && flight["true_final_error"].is_null(), "{answer:#}");
+    }
+    assert!(folder.path().join("kept/history.json").is_file());
+    assert_eq!(world.status()["state"], "Disarmed");
+    world.end();
+}

@@ -169,9 +169,9 @@ proptest! {
         header.end = State::from_array(end);
         header.kind = Kind::Extremal;
         prop_assert_eq!(ManeuverTable::new(header, arcs, segments.clone()), Err(TableError::End));
-        // A learned table misses in the model what it hits in the world, but not by more than 3 m, 5 m/s or a radian.
+        // A learned table misses in the model what it hits in the world, but not by more than its slack.
         header.kind = Kind::Learned;
-        let slack = [3.0, 5.0, 3.0, 5.0, 1.0][component];
+        let slack = learned_slack(&segments)[component];
         if off < 0.98 * slack {
             prop_assert!(ManeuverTable::new(header, arcs, segments.clone()).is_ok());
         }
@@ -260,6 +260,14 @@ fn plus() -> Inputs {
     Inputs { rate: RateMode::Plus, thrust: ThrustLevel::Max }
 }
 
+/// By how much the end of a learned table may be missed in the model, in the order of the state: what 5 m/s² do over its
+/// duration, at least 3 m and 5 m/s; and a radian.
+fn learned_slack(segments: &[Segment<f32>]) -> [f32; 5] {
+    let duration: f32 = segments.iter().map(|s| s.duration).sum();
+    let (position, velocity) = ((2.5 * duration * duration).max(3.0), (5.0 * duration).max(5.0));
+    [position, velocity, position, velocity, 1.0]
+}
+
 /// What every accepted table must be, by another path than the check's own.
 fn sound(table: &ManeuverTable) -> Result<(), TestCaseError> {
     prop_assert_eq!(table.check(), Ok(()));
@@ -274,9 +282,9 @@ fn sound(table: &ManeuverTable) -> Result<(), TestCaseError> {
     prop_assert!(segments.iter().map(|s| s.duration).sum::<f32>() <= 10.0);
     let singular = segments.iter().any(|s| s.inputs.rate == RateMode::Singular);
     prop_assert_eq!(singular, arcs.is_some());
-    let miss = led_to(&header, arcs, &segments).minus(header.end.cast());
-    prop_assert!(miss.x.abs() < 3.2 && miss.z.abs() < 3.2, "{:?}", miss);
-    prop_assert!(miss.vx.abs() < 5.2 && miss.vz.abs() < 5.2 && miss.theta.abs() < 1.1, "{:?}", miss);
+    let miss = led_to(&header, arcs, &segments).minus(header.end.cast()).to_array();
+    let slack = learned_slack(&segments).map(f64::from);
+    prop_assert!(miss.iter().zip(slack).all(|(miss, slack)| miss.abs() < 1.05 * slack), "{:?}", miss);
 
     let mut replay = Replay::new(Plan::new(table), 0);
     for tick in 0..8100 {

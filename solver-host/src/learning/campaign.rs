@@ -20,6 +20,8 @@ const GAIN_WITHIN: f64 = 0.5;
 const STALLED_FLIGHTS: u32 = 5;
 /// ... where progress is to come this much nearer than ever before.
 const PROGRESS: f64 = 0.9;
+/// A correction whose table no vehicle takes is halved so many times at most.
+const HALVINGS: u32 = 5;
 /// Flights in a row that may fail before it is given up.
 const FAILED_FLIGHTS: u32 = 2;
 /// A flight that ends this many times farther away than the best so far is a step too far.
@@ -47,7 +49,7 @@ pub enum FlightFailure {
         /// Why.
         reason: String,
     },
-    /// The vehicle or the link is lost, or a person stopped it: there is no next one.
+    /// The vehicle or the link is lost, a person stopped it, or the table cannot be flown here: there is no next one.
     #[error("{reason}")]
     Lost {
         /// Why.
@@ -112,7 +114,7 @@ pub enum StopReason {
     #[error("{FAILED_FLIGHTS} flights in a row were not flown to their end; the last one: {0}")]
     Broken(String),
     /// The vehicle is lost.
-    #[error("the vehicle did not come back: {0}")]
+    #[error("flying had to end: {0}")]
     Lost(String),
 }
 
@@ -223,13 +225,12 @@ impl Learner<'_> {
                 Err(FlightFailure::Broken { reason, .. }) => {
                     failed += 1;
                     self.last = None;
-                    // Nearer to what worked.
                     self.back();
                     (failed >= FAILED_FLIGHTS).then(|| StopReason::Broken(reason.clone()))
                 }
             };
             history.flights.push(entry(&table, &flown));
-            if stop.is_none() && flown.is_ok() && number < flights {
+            if stop.is_none() && number < flights {
                 let relinearised = self.linearise(history);
                 if let Some(entry) = history.flights.last_mut() {
                     entry.relinearised = relinearised;
@@ -279,11 +280,9 @@ impl Learner<'_> {
         let halved = self.last.is_none_or(|last| far <= 0.5 * last);
         let fresh = first || far > STRAIGHT || (!halved && far > 1.0);
         self.last = Some(far);
-        if let Some(best) = &self.best
-            && far > TOO_FAR * best.error.in_tolerances().max(1.0)
-        {
-            self.trust *= 0.5;
-            self.parameters = best.parameters.clone();
+        match &self.best {
+            Some(best) if far > TOO_FAR * best.error.in_tolerances().max(1.0) => self.back(),
+            _ => self.trust = (2.0 * self.trust).min(1.0),
         }
         if !fresh {
             return false;
@@ -303,12 +302,20 @@ impl Learner<'_> {
         };
         let rate_max = f64::from(self.plan.table.limits.rate_max_radps);
         let correction = correct(&self.jacobian, &error, &self.parameters, rate_max)?;
-        let gain = if error.in_tolerances() <= 1.0 { GAIN_WITHIN } else { self.trust };
-        self.parameters = self.parameters.moved(&(correction.change * gain));
+        let mut gain = if error.in_tolerances() <= 1.0 { GAIN_WITHIN } else { self.trust };
+        // As far as a vehicle takes the table.
+        let moved = |gain: f64| self.parameters.moved(&(&correction.change * gain));
+        for _ in 0..HALVINGS {
+            if moved(gain).into_table(&self.plan.table).is_ok() {
+                break;
+            }
+            gain *= 0.5;
+        }
+        self.parameters = moved(gain);
         Ok(())
     }
 
-    /// Half-way back to the best parameters.
+    /// Back to the best parameters, to go on from there with half the step.
     fn back(&mut self) {
         if let Some(best) = &self.best {
             self.trust *= 0.5;

@@ -17,7 +17,8 @@ pub(super) const SHORTEST_S: f64 = 1.25e-3;
 const DURATION_SCALE_S: f64 = 0.02;
 /// ... of the logarithm of the width, ...
 const WIDTH_SCALE: f64 = 0.2;
-/// ... and of the peak time over the width.
+/// ... and of the peak time over the width, or, where the arcs are so narrow that they pass far from their peak, as for a
+/// duration.
 const PEAK_SCALE: f64 = 0.2;
 /// How far the arcs' peak rate stays below the limit, as a part of it: rounding to `f32`.
 const RATE_MARGIN: f64 = 1.0e-4;
@@ -54,12 +55,14 @@ impl Parameters {
     /// What counts as an equally large change of each: s, and 1 for the logarithm of the width.
     pub fn scales(&self) -> DVector<f64> {
         let durations = self.durations_s.iter().map(|_| DURATION_SCALE_S);
-        let arc = self.arc.iter().flat_map(|(width_s, _)| [WIDTH_SCALE, PEAK_SCALE * width_s.abs()]);
+        let peak = |width_s: f64| (PEAK_SCALE * width_s.abs()).max(DURATION_SCALE_S);
+        let arc = self.arc.iter().flat_map(|(width_s, _)| [WIDTH_SCALE, peak(*width_s)]);
         DVector::from_vec(durations.chain(arc).collect())
     }
 
-    /// The least change of each that is allowed: no segment vanishes, and no arc gets so narrow that its peak exceeds a rate,
-    /// rad/s.
+    /// The least change of each that is allowed: no segment vanishes, and no arc that may be flown through its peak gets so
+    /// narrow that it exceeds a rate there, rad/s. Narrower ones pass by their peak; how near they may come, the table's check
+    /// says.
     pub(super) fn lower_bounds(&self, rate_max_radps: f64) -> DVector<f64> {
         let durations = self.durations_s.iter().map(|d| SHORTEST_S - d);
         let narrowest = |width_s: f64| ((1.0 + RATE_MARGIN) / (rate_max_radps * width_s.abs())).ln();

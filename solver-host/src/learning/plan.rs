@@ -230,12 +230,13 @@ fn rehearse(table: &ManeuverTable, response: &Response) -> Result<ManeuverTable,
             break;
         }
         let correction = correct(&jacobian, &error, &parameters, rate_max)?;
-        // Half the step, and half of that, until it is one ahead.
+        // Half the step, and half of that, until it is one ahead and a vehicle takes the table.
         let mut part = 1.0;
         let (better, found, slope) = loop {
             let next = parameters.moved(&(&correction.change * part));
             let (left, slope) = miss(&next);
-            if left.in_tolerances() < error.in_tolerances() || part < 0.05 {
+            let ahead = left.in_tolerances() < error.in_tolerances() && next.into_table(table).is_ok();
+            if ahead || part < 0.05 {
                 break (next, left, slope);
             }
             part *= 0.5;

@@ -15,9 +15,9 @@ use mintime::learning::{
     Budget, Flyer, History, HistoryError, IdentifiedResponse, Learned, LearningPlan, Observer, Response,
     SimulatedFlyer, SimulatedVehicle, Target, check_folder, hop_plan, keep_old, plan,
 };
-use mintime::mission::{Flown, Mission, PlantChoice, Room, Source, VehicleChoice};
+use mintime::mission::{Flown, Mission, PlantChoice, Room, Source, VehicleChoice, check_plant, prepare_for};
 use mintime::page::{self, Page, Sources};
-use mintime_shared::model::{GRAVITY_MPS2, State};
+use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::json;
@@ -131,12 +131,15 @@ impl Learn {
         } else {
             print(&words::text(&learned, campaign.kept.is_ok().then_some(campaign.folder.as_path()), page));
         }
-        campaign.kept?;
+        if let Err(error) = &campaign.kept {
+            // The answer has been printed whole.
+            eprintln!("mintime: {error}");
+        }
         written.transpose()?;
         if !learned.history.converged {
             eprintln!("mintime: {}", learned.stop);
         }
-        Ok(learned.history.converged)
+        Ok(learned.history.converged && campaign.kept.is_ok())
     }
 
     /// Writes the page: what was learned, and the last flight.
@@ -222,11 +225,12 @@ impl Campaign<'_> {
             }
         };
         let plant = PlantChoice::from_argument(&learn.plant)?;
+        check_plant(&plant.parameters, &self.limits())?;
         let (seed, room) = (learn.seed, learn.room);
         let mut vehicle = SimulatedVehicle { choice, plant, seed, room, response: Response::IDEAL };
         progress.line("hovering and hopping: what is the vehicle?");
         let found = vehicle.identify(progress)?;
-        let plan = self.plan(&VehicleConfig::REFERENCE, &found, progress)?;
+        let plan = self.plan(&VehicleConfig::REFERENCE, &found, room.as_ref(), progress)?;
         vehicle.response = plan.response;
         let voice = progress.voice();
         let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: progress, last: None };
@@ -246,7 +250,7 @@ impl Campaign<'_> {
         progress.line("hovering and hopping: what is the vehicle?");
         let flight = fly_hops(&mut watched.vehicle, &hops, progress)?;
         let found = (&identify(&flight, &config)?).into();
-        let plan = self.plan(&config, &found, progress)?;
+        let plan = self.plan(&config, &found, Some(&room), progress)?;
         let voice = progress.voice();
         let mut flyer = RealFlyer { watched, config, room, response: plan.response, progress, last: None };
         let learned = self.teach(&plan, found, &mut flyer, voice);
@@ -254,10 +258,20 @@ impl Campaign<'_> {
         Ok(learned)
     }
 
+    /// Limits that are asked for.
+    fn limits(&self) -> Limits<f64> {
+        match &self.target {
+            Target::Solve { limits, .. } => *limits,
+            Target::Table(table) => table.limits.cast(),
+        }
+    }
+
+    /// Plans, and sees to it that the first flight fits the room.
     fn plan(
         &self,
         config: &VehicleConfig,
         found: &IdentifiedResponse,
+        room: Option<&Room>,
         progress: &Progress,
     ) -> Result<LearningPlan, Box<dyn Error>> {
         progress.line(&format!(
@@ -267,6 +281,7 @@ impl Campaign<'_> {
             found.response_s * 1e3
         ));
         let plan = plan(&self.target, config, found)?;
+        prepare_for(&Source::Table(bytes(&plan.table)), room, config)?;
         progress.line(&format!(
             "planned {:.4} s (optimum {:.4} s), rehearsed {:.4} s",
             plan.planned_duration_s,
@@ -295,6 +310,14 @@ impl Campaign<'_> {
     }
 }
 
+/// A table's bytes.
+fn bytes(table: &ManeuverTable) -> Vec<u8> {
+    let mut buffer = [0; MAX_TABLE_BYTES];
+    // The buffer holds every table.
+    let length = table.encode(&mut buffer).unwrap_or(0);
+    buffer[..length].to_vec()
+}
+
 /// Keeps the history after every flight, and tells how it went.
 struct Keeper<'a> {
     folder: &'a Path,
@@ -312,10 +335,7 @@ impl Observer for Keeper<'_> {
             self.seen = count;
             self.voice.line(&words::newest(history));
         }
-        let mut buffer = [0; MAX_TABLE_BYTES];
-        // The buffer holds every table.
-        let length = table.encode(&mut buffer).unwrap_or(0);
-        let kept = history.save(self.folder, &buffer[..length]);
+        let kept = history.save(self.folder, &bytes(table));
         // A disk that is full now may not be so after the next flight; the history grows on in memory.
         if let (Ok(()), Err(error)) = (&self.kept, &kept) {
             self.voice.line(&format!("{error}; flying on, and trying again after the next flight"));

@@ -5,7 +5,7 @@ use std::time::Instant;
 use mintime::flight::{FlightError, FlightPlan, FlightResult, Outcome, Witness, fly_and_return};
 use mintime::learning::{Eyes, FlightFailure, Flown, Flyer, Response};
 use mintime::mission::{self, Room, Source, prepare_for};
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::ManeuverTable;
 use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
@@ -27,9 +27,7 @@ pub(super) struct RealFlyer<'a> {
 impl Flyer for RealFlyer<'_> {
     fn fly(&mut self, table: &ManeuverTable, _number: u32) -> Result<Flown, FlightFailure> {
         let lost = |reason: String| FlightFailure::Lost { reason };
-        let mut buffer = [0; MAX_TABLE_BYTES];
-        let length = table.encode(&mut buffer).map_err(|e| lost(e.to_string()))?;
-        let source = Source::Table(buffer[..length].to_vec());
+        let source = Source::Table(super::bytes(table));
         // What does not fit the room is not flown.
         let prepared =
             prepare_for(&source, Some(&self.room), &self.config).map_err(|e| lost(e.to_string()))?;

@@ -11,15 +11,19 @@
 //!
 //! with a the acceleration that the recorded thrust makes in the attitude seen, and b what it leaves out.
 
+mod pull;
+mod timing;
+
 use mintime_shared::messages::RecordedTick;
 use mintime_shared::replay::Plan;
 use mintime_shared::table::ManeuverTable;
-use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::history::StateError;
 use super::model::Response;
 use crate::flight::{Phase, Pose, Sight, Witness};
-use crate::mission::rate_in_plane;
+use pull::Pull;
+use timing::{Turned, time_start};
 
 /// The start is the mean of this long before it, s: the gate has just held for longer.
 const START_WINDOW_S: f64 = 0.08;
@@ -29,16 +33,6 @@ const END_WINDOW_S: f64 = 0.08;
 const END_AFTER_S: f64 = 0.003;
 /// Fewest poses in a window.
 const POSES_MIN: usize = 8;
-/// Fewest poses that time the start.
-const TIMING_POSES_MIN: usize = 20;
-/// How much later than the vehicle turns its gyro says so, s: the chip's low-pass filter.
-const GYRO_DELAY_S: f64 = 0.8e-3;
-/// The host knows the start to this, s: a line, a few poses.
-const START_RANGE_S: f64 = 0.05;
-/// Largest root of the mean square that timing may leave, rad.
-const TIMING_RESIDUAL_MAX_RAD: f64 = 0.05;
-/// Step of the double integration of the acceleration, s.
-const STEP_S: f64 = 0.5e-3;
 
 /// Start and end of a flown maneuver.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -286,162 +280,4 @@ fn end_of(
 
 fn least_squares(design: &DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     design.clone().svd(true, true).solve(values, 1e-12).ok()
-}
-
-/// The angle that the gyro says the vehicle has turned by, in the maneuver's plane.
-struct Turned {
-    /// Time since the first tick, s; rate, rad/s; angle, rad.
-    nodes: Vec<(f64, f64, f64)>,
-}
-
-impl Turned {
-    fn new(record: &[RecordedTick], heading_rad: f64, duration_s: f64) -> Result<Self, ObservationError> {
-        let mut nodes: Vec<(f64, f64, f64)> = Vec::with_capacity(record.len());
-        let mut time_s = 0.0;
-        for tick in record {
-            time_s += f64::from(tick.interval_us) * 1e-6;
-            // Ticks without a sample are bridged.
-            let Some(gyro) = tick.gyro_radps else { continue };
-            let rate = rate_in_plane(gyro.map(f64::from), heading_rad);
-            let angle = nodes.last().map_or(0.0, |(t, r, a)| a + 0.5 * (r + rate) * (time_s - t));
-            nodes.push((time_s, rate, angle));
-        }
-        let recorded_s = nodes.last().map_or(0.0, |n| n.0);
-        // The last tick comes up to a period before T; missing ones are bridged.
-        if recorded_s < duration_s - 0.01 {
-            return Err(ObservationError::Record { recorded_s, duration_s });
-        }
-        Ok(Self { nodes })
-    }
-
-    /// Rate and angle at a time since the start of what the vehicle did: what its gyro says a moment later.
-    fn at(&self, since_s: f64) -> (f64, f64) {
-        let time_s = since_s + GYRO_DELAY_S;
-        let after = self.nodes.partition_point(|n| n.0 <= time_s);
-        let (Some(a), b) = (self.nodes.get(after.saturating_sub(1)), self.nodes.get(after)) else {
-            return (0.0, 0.0);
-        };
-        let dt = time_s - a.0;
-        let slope = b.map_or(0.0, |b| (b.1 - a.1) / (b.0 - a.0).max(1e-6));
-        let before = if after == 0 { 0.0 } else { slope };
-        (a.1 + before * dt, a.2 + a.1 * dt + 0.5 * before * dt * dt)
-    }
-
-    fn angle_at(&self, since_s: f64) -> f64 {
-        self.at(since_s).1
-    }
-}
-
-/// When a maneuver began, and how the gyro's angle becomes the cameras'.
-struct Timing {
-    began_s: f64,
-    offset_rad: f64,
-    scale: f64,
-    residual_rad: f64,
-}
-
-/// Lays the gyro's turn on the cameras'.
-fn time_start(
-    poses: &[PlanarPose],
-    turned: &Turned,
-    about_s: f64,
-    duration_s: f64,
-) -> Result<Timing, ObservationError> {
-    let mut timing = Timing { began_s: about_s, offset_rad: 0.0, scale: 1.0, residual_rad: f64::INFINITY };
-    for _ in 0..30 {
-        let since = |p: &PlanarPose| p.time_s - timing.began_s;
-        let used: Vec<_> = poses.iter().filter(|p| (0.0..duration_s).contains(&since(p))).collect();
-        if used.len() < TIMING_POSES_MIN {
-            let (poses, needed) = (used.len(), TIMING_POSES_MIN);
-            return Err(ObservationError::Poses { during: "in the maneuver", poses, needed });
-        }
-        let mut normal = SMatrix::<f64, 3, 3>::zeros();
-        let mut right = SVector::<f64, 3>::zeros();
-        let mut squares = 0.0;
-        for pose in &used {
-            let (rate, angle) = turned.at(since(pose));
-            let residual = pose.theta_rad - timing.offset_rad - timing.scale * angle;
-            let row = SVector::<f64, 3>::new(1.0, angle, -timing.scale * rate);
-            normal += row * row.transpose();
-            right += row * residual;
-            squares += residual * residual;
-        }
-        timing.residual_rad = (squares / used.len() as f64).sqrt();
-        let Some(change) = normal.lu().solve(&right) else { break };
-        timing.offset_rad += change[0];
-        timing.scale += change[1];
-        timing.began_s += change[2].clamp(-0.01, 0.01);
-        if (timing.began_s - about_s).abs() > START_RANGE_S || change[2].abs() < 1e-7 {
-            break;
-        }
-    }
-    let credible = (timing.began_s - about_s).abs() <= START_RANGE_S && (timing.scale - 1.0).abs() < 0.2;
-    if !credible || timing.residual_rad > TIMING_RESIDUAL_MAX_RAD || timing.residual_rad.is_nan() {
-        return Err(ObservationError::Timing { residual_rad: timing.residual_rad });
-    }
-    Ok(timing)
-}
-
-/// The way that the known acceleration makes around the end: zero, with its slope, at the end.
-struct Pull {
-    /// Ways at multiples of [`STEP_S`], backwards from the end and forwards from it.
-    before: Vec<[f64; 2]>,
-    after: Vec<[f64; 2]>,
-}
-
-impl Pull {
-    fn new(
-        record: &[RecordedTick],
-        response: &Response,
-        duration_s: f64,
-        theta: &dyn Fn(f64) -> f64,
-    ) -> Self {
-        let thrust = lagged_thrust(record, response);
-        let acceleration = |since_s: f64| {
-            let index = (since_s / STEP_S).round().max(0.0) as usize;
-            let force = response.thrust_scale * thrust.get(index).or(thrust.last()).copied().unwrap_or(0.0);
-            let (sin, cos) = theta(since_s).sin_cos();
-            [force * sin, force * cos]
-        };
-        let integrate = |direction: f64| {
-            let (mut way, mut speed) = ([0.0; 2], [0.0; 2]);
-            let mut ways = vec![way];
-            for i in 0..(2.0 * END_WINDOW_S / STEP_S) as u32 {
-                // The middle of the step stands for all of it.
-                let at = acceleration(duration_s + direction * STEP_S * (f64::from(i) + 0.5));
-                for axis in 0..2 {
-                    way[axis] += STEP_S * (speed[axis] + 0.5 * STEP_S * at[axis]);
-                    speed[axis] += STEP_S * at[axis];
-                }
-                ways.push(way);
-            }
-            ways
-        };
-        Self { before: integrate(-1.0), after: integrate(1.0) }
-    }
-
-    /// Way along x and z at a time from the end, m.
-    fn at(&self, sigma_s: f64) -> [f64; 2] {
-        let ways = if sigma_s < 0.0 { &self.before } else { &self.after };
-        let place = sigma_s.abs() / STEP_S;
-        let index = (place.floor() as usize).min(ways.len() - 2);
-        let part = place - index as f64;
-        core::array::from_fn(|axis| ways[index][axis] * (1.0 - part) + ways[index + 1][axis] * part)
-    }
-}
-
-/// Thrust per mass that the recorded commands make of rotors with a lag, at multiples of [`STEP_S`], m/s².
-fn lagged_thrust(record: &[RecordedTick], response: &Response) -> Vec<f64> {
-    let keep = if response.thrust_lag_s > 0.0 { (-STEP_S / response.thrust_lag_s).exp() } else { 0.0 };
-    let mut thrust = record.first().map_or(0.0, |t| f64::from(t.thrust_mps2));
-    let mut values = vec![thrust];
-    let mut until_s = 0.0;
-    for (tick, next) in record.iter().zip(record.iter().skip(1).map(Some).chain([None])) {
-        until_s += next.map_or(STEP_S, |n| f64::from(n.interval_us) * 1e-6);
-        while (values.len() as f64) * STEP_S <= until_s {
-            thrust = f64::from(tick.thrust_mps2) + (thrust - f64::from(tick.thrust_mps2)) * keep;
-            values.push(thrust);
-        }
-    }
-    values
 }
