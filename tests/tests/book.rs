@@ -35,9 +35,7 @@ fn prose(text: &str) -> String {
         !fenced && !fence && !line.starts_with("    ")
     });
     // What stands between backticks is code, too.
-    lines
-        .flat_map(|line| line.split('`').step_by(2).chain(["\n"]))
-        .collect()
+    lines.flat_map(|line| line.split('`').step_by(2).chain(["\n"])).collect()
 }
 
 /// The targets of `[text](target)`.
@@ -100,8 +98,8 @@ fn every_link_leads_somewhere() {
             } else {
                 path.parent().expect("a file lies in a folder").join(file)
             };
-            let there = target.exists()
-                && anchor.is_none_or(|anchor| anchors(&read(&target)).contains(anchor));
+            let there =
+                target.exists() && anchor.is_none_or(|anchor| anchors(&read(&target)).contains(anchor));
             if !there {
                 dead.push(format!("{}: {link}", path.display()));
             }

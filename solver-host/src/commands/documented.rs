@@ -60,7 +60,9 @@ fn every_documented_command_line_is_understood() {
             checked += 1;
             let arguments = std::iter::once("mintime".to_owned()).chain(words(&line));
             match Arguments::try_parse_from(arguments) {
-                Err(error) if error.use_stderr() => wrong.push(format!("{}: mintime {line}\n{error}", page.display())),
+                Err(error) if error.use_stderr() => {
+                    wrong.push(format!("{}: mintime {line}\n{error}", page.display()))
+                }
                 _ => {}
             }
         }
