@@ -347,7 +347,7 @@ fn motion_capture_and_gyro_see_the_end_as_it_was() {
     for (dx, dz) in MANEUVERS {
         let plan = plan(&to(dx, dz), &VehicleConfig::REFERENCE, &AS_FILE).expect("a plan");
         let mut unseen = Unseen;
-        let flown = SimulatedFlyer { vehicle: &vehicle, witness: &mut unseen }
+        let flown = SimulatedFlyer { vehicle: &vehicle, witness: &mut unseen, last: None }
             .fly(&plan.table, 1)
             .expect("flown to its end");
         let truth = flown.true_final_error.expect("simulated");

@@ -30,7 +30,7 @@ fn the_image_learns_a_flip_with_a_tenth_less_thrust() {
     let plan = plan(&target((0.0, 4.0, "")), &VehicleConfig::REFERENCE, &found).expect("a plan");
     vehicle.response = plan.response;
     let mut unseen = Unseen;
-    let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: &mut unseen };
+    let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: &mut unseen, last: None };
     let history = History::of("4 m flip", "virtual", Some(7));
     let budget = Budget { flights: 10, repeats: 2 };
     let learned = learn(&plan, history, budget, &mut flyer, &mut Silent);
