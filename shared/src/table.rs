@@ -59,6 +59,8 @@ const GRAVITY_TOLERANCE_MPS2: f32 = 0.05;
 pub const MAX_ARC_TIME_S: f32 = 1.0e6;
 /// What a learned table may make up for, m/s²: drag at 15 m/s, and thrust that is a tenth off.
 const LEARNED_ACCELERATION_MPS2: f32 = 5.0;
+/// For so long at most, s: later, speed and drag have found their balance.
+const LEARNED_DURATION_S: f32 = 2.0;
 /// How much an arc may exceed the rate limit: rounding to `f32` only.
 const ARC_RATE_TOLERANCE: f32 = 1.0e-4;
 
@@ -266,14 +268,16 @@ struct EndTolerance {
 
 impl Kind {
     /// Extremals and retimed tables reach their end in the model up to rounding in `f32`. A learned one misses it in
-    /// the model so as to reach it in the world, by what [`LEARNED_ACCELERATION_MPS2`] does over its duration: here only
-    /// nonsense is kept out.
+    /// the model so as to reach it in the world, by what [`LEARNED_ACCELERATION_MPS2`] does over its duration, as far as
+    /// [`LEARNED_DURATION_S`]: here only nonsense is kept out.
     fn end_tolerance(self, duration_s: f32) -> EndTolerance {
         match self {
             Self::Extremal | Self::Retimed => {
                 EndTolerance { position_m: 5.0e-3, velocity_mps: 1.0e-2, angle_rad: 1.0e-3 }
             }
             Self::Learned => {
+                let duration_s =
+                    if duration_s < LEARNED_DURATION_S { duration_s } else { LEARNED_DURATION_S };
                 let velocity_mps = LEARNED_ACCELERATION_MPS2 * duration_s;
                 let position_m = 0.5 * velocity_mps * duration_s;
                 EndTolerance {
