@@ -38,6 +38,7 @@ use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
 use crate::recovery::Recovery;
 use crate::requests::Verdicts;
+use crate::store::Damage;
 use crate::supervisor::Supervisor;
 use crate::tables::Tables;
 
@@ -110,6 +111,10 @@ pub struct FlightLogic<M> {
     pub(crate) session: u32,
     pub(crate) slots: Slots,
     pub(crate) keeper: Keeper,
+    /// Keys whose value in the store is damaged.
+    pub(crate) damaged: Damage,
+    /// Places of tables where the store holds something that is no table of this firmware: bit by bit.
+    pub(crate) unreadable: u8,
     // What its board says.
     pub(crate) capabilities: Capabilities,
     /// Drivers of the board are still at work on their set-up.
@@ -201,6 +206,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             session: 0,
             slots: [const { None }; mintime_shared::messages::STORED_TABLES],
             keeper: Keeper::new(),
+            damaged: Damage::NONE,
+            unreadable: 0,
             capabilities,
             starting: false,
             store: StoreStatus { present: false, busy: false, finished: 0, failed: false },

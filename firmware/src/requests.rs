@@ -222,6 +222,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                     .get(place)
                     .and_then(Option::as_ref)
                     .is_some_and(|slot| slot.listing.name == *name && slot.listing.checksum == checksum)
+                    && !self.damaged.of(Key::Table(place as u8))
                 {
                     return Ok(Reply::Done);
                 }
@@ -253,7 +254,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::WriteVehicle(config) => {
                 motors_off()?;
                 config.check().map_err(Refusal::Vehicle)?;
-                if self.known && self.config == config {
+                if self.known && self.config == config && !self.damaged.of(Key::Vehicle) {
                     return Ok(Reply::Done);
                 }
                 self.keep(Key::Vehicle, keeping::value(&config), now_us)
@@ -262,14 +263,14 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::WriteSettings(settings) => {
                 motors_off()?;
                 settings.check().map_err(Refusal::Settings)?;
-                if self.settings == settings {
+                if self.settings == settings && !self.damaged.of(Key::Settings) {
                     return Ok(Reply::Done);
                 }
                 self.keep(Key::Settings, keeping::value(&settings), now_us)
             }
             Request::Pair(key) => {
                 motors_off()?;
-                if self.pairing == key {
+                if self.pairing == key && !self.damaged.of(Key::Pairing) {
                     return Ok(Reply::Done);
                 }
                 let value = key.map_or(Some(keeping::Value::new()), |key| keeping::value(&key));
