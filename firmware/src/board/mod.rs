@@ -117,8 +117,7 @@ fn set_up() -> Tasks {
         storage::each(&mut store, |key, value| vehicle.restore(key, value) || matches!(key, Key::Table(_)));
     vehicle.note_damage(damage);
     // A seal of an earlier start must not count in this one.
-    let sealed = run.random || !vehicle.is_paired();
-    if !sealed {
+    if !run.random && vehicle.is_paired() {
         vehicle.report(IncidentCause::SetUp(line!()));
     }
     let parts = facts::Parts::new(peripherals);
@@ -130,7 +129,7 @@ fn set_up() -> Tasks {
     let motors = dshot::Motors::new(parts.motors);
     let earlier = control::Earlier { crash: crash_number, termination };
     let late_timer = tick_source::LateTimer::new(parts.late_timer);
-    control::start(vehicle, earlier, sealed, receiver, radio, motors, late_timer);
+    control::start(vehicle, earlier, run.random, receiver, radio, motors, late_timer);
     let crashed = crash.is_some() || termination.is_some();
     Tasks { gyro: parts.gyro, transmitter, battery, led, crashed, store }
 }
