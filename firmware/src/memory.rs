@@ -12,6 +12,7 @@ use crate::config::StoreStatus;
 use crate::flight::{FlightLogic, Turns};
 use crate::keeping::{self, Job, Kept, Key, Value};
 use crate::recorder::RecordMemory;
+use crate::requests::is_repeated;
 use crate::store::Damage;
 
 impl<M: RecordMemory> FlightLogic<M> {
@@ -193,28 +194,27 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// Learns the gyro's bias anew; once per request.
-    pub(crate) fn calibrate(&mut self, number: u16) -> Result<Reply, Refusal> {
-        match self.state() {
-            FlightState::Disarmed => {
-                if self.calibrated_by != Some(number) {
-                    self.calibrated_by = Some(number);
-                    self.gyro.forget_bias();
-                    return Ok(Reply::Pending);
-                }
-                Ok(Reply::Done)
-            }
-            FlightState::Calibrating => {
-                self.calibrated_by = Some(number);
-                Ok(Reply::Pending)
-            }
-            state => Err(Refusal::WrongState(state)),
+    pub(crate) fn calibrate(&mut self, number: u16, now_us: u64) -> Result<Reply, Refusal> {
+        let state = self.state();
+        if !matches!(state, FlightState::Disarmed | FlightState::Calibrating) {
+            return Err(Refusal::WrongState(state));
         }
+        let repeated = is_repeated(self.calibrated_by, number, now_us);
+        self.calibrated_by = Some((number, now_us));
+        if state == FlightState::Calibrating {
+            return Ok(Reply::Pending);
+        }
+        if repeated {
+            return Ok(Reply::Done);
+        }
+        self.gyro.forget_bias();
+        Ok(Reply::Pending)
     }
 
     /// Begins guided turns, says how far they are, keeps what they found.
     #[inline(never)]
     pub(crate) fn calibrate_scale(&mut self, asked: (u16, u8, i8), now_us: u64) -> Result<Reply, Refusal> {
-        let (_, axis, turns) = asked;
+        let (number, axis, turns) = asked;
         if turns == 0 {
             self.turns = None;
             return Ok(Reply::Done);
@@ -222,7 +222,10 @@ impl<M: RecordMemory> FlightLogic<M> {
         if self.state() != FlightState::Disarmed {
             return Err(Refusal::WrongState(self.state()));
         }
-        let Some(under_way) = self.turns.filter(|turns| turns.asked == asked) else {
+        let same = |turns: &&mut Turns| {
+            turns.asked == asked && is_repeated(Some((number, turns.asked_us)), number, now_us)
+        };
+        let Some(under_way) = self.turns.as_mut().filter(same) else {
             let body_axis = match axis {
                 0 => Axis::Forward,
                 1 => Axis::Left,
@@ -230,9 +233,10 @@ impl<M: RecordMemory> FlightLogic<M> {
                 _ => return Err(Refusal::Calibration(CalibrationError::Turns)),
             };
             let begun = ScaleCalibration::start(body_axis, turns).map_err(Refusal::Calibration)?;
-            self.turns = Some(Turns { asked, under_way: begun, found: None });
+            self.turns = Some(Turns { asked, asked_us: now_us, under_way: begun, found: None });
             return Ok(Reply::Pending);
         };
+        under_way.asked_us = now_us;
         match under_way.found {
             None => Ok(Reply::Pending),
             Some(Err(error)) => Err(Refusal::Calibration(error)),
