@@ -136,6 +136,7 @@ rows! {
     power_cut_tracking: PowerCut in Tracking => Boot within 12 off 12;
     cut_in_write_disarmed: CutInWrite in Disarmed => Boot within 12;
     cut_in_erase_disarmed: CutInErase in Disarmed => Boot within 12;
+    decayed_store_disarmed: StoreDecays in Disarmed => Boot within 12 told StoreDamaged;
     // The kill switch.
     kill_disarmed: KillPressed in Disarmed => Disarmed;
     kill_armed: KillPressed in Armed => Terminated within 8 off 8 told KillSwitch;
