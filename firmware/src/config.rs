@@ -160,9 +160,9 @@ pub const YAW_RESERVE: f32 = 0.05;
 /// Longest time step the controllers believe, s: two periods; longer gaps are handled by the supervisor.
 pub const CONTROL_STEP_MAX_S: f32 = 2.5e-3;
 
-/// A trigger that comes again under its number within this time is a repetition, µs: longer than the longest maneuver and
+/// A request that comes again under its number within this time is a repetition, µs: longer than the longest maneuver and
 /// its answer's retries, shorter than a host at 800 messages a second takes to use up all 65536 numbers.
-pub const REPEATED_TRIGGER_US: u64 = 15_000_000;
+pub const REPEATED_US: u64 = 15_000_000;
 
 /// Shortest and longest interval of telemetry that a host may ask for, ms.
 pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 1000);

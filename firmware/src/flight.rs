@@ -38,6 +38,7 @@ use crate::rate_control::{RateController, RateInput};
 use crate::recorder::{RecordMemory, Recorder};
 use crate::recovery::Recovery;
 use crate::requests::Verdicts;
+use crate::store::Damage;
 use crate::supervisor::Supervisor;
 use crate::tables::Tables;
 
@@ -85,6 +86,8 @@ pub(crate) enum Clock {
 pub(crate) struct Turns {
     /// The request that asked for it: number, axis, turns.
     pub(crate) asked: (u16, u8, i8),
+    /// When it was last asked for.
+    pub(crate) asked_us: u64,
     pub(crate) under_way: ScaleCalibration,
     /// What it has found.
     pub(crate) found: Option<Result<f32, CalibrationError>>,
@@ -93,6 +96,8 @@ pub(crate) struct Turns {
 /// One motor that turns while the others stand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MotorTest {
+    /// Number of the request.
+    pub(crate) number: u16,
     pub(crate) motor: u8,
     pub(crate) throttle: f32,
     pub(crate) until_us: u64,
@@ -110,6 +115,10 @@ pub struct FlightLogic<M> {
     pub(crate) session: u32,
     pub(crate) slots: Slots,
     pub(crate) keeper: Keeper,
+    /// Keys whose value in the store is damaged.
+    pub(crate) damaged: Damage,
+    /// Places of tables where the store holds something that is no table of this firmware: bit by bit.
+    pub(crate) unreadable: u8,
     // What its board says.
     pub(crate) capabilities: Capabilities,
     /// Drivers of the board are still at work on their set-up.
@@ -161,7 +170,8 @@ pub struct FlightLogic<M> {
     /// Requests that the second part of the tick answers.
     pub(crate) verdicts: Verdicts,
     pub(crate) last_refusal: Option<(u16, Refusal)>,
-    pub(crate) calibrated_by: Option<u16>,
+    /// Number of the request that learned the bias anew, and when it last came.
+    pub(crate) calibrated_by: Option<(u16, u64)>,
     // When it is.
     pub(crate) period: TickPeriod,
     pub(crate) last_us: Option<u64>,
@@ -201,6 +211,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             session: 0,
             slots: [const { None }; mintime_shared::messages::STORED_TABLES],
             keeper: Keeper::new(),
+            damaged: Damage::NONE,
+            unreadable: 0,
             capabilities,
             starting: false,
             store: StoreStatus { present: false, busy: false, finished: 0, failed: false },
@@ -265,9 +277,10 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.link_errors = count;
     }
 
-    /// Says what this start's session is called.
+    /// Says what this start's session is called; before anything is reported.
     pub fn set_session(&mut self, session: u32) {
         self.session = session;
+        self.incidents.number_after(session);
     }
 
     /// Says what the board can do by now and how it does.
@@ -494,9 +507,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         };
         let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
         // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
-        let high_n = self.thrust_cap_mps2().map_or(self.config.rotor_thrust_max_n, |cap_mps2| {
-            at_least(cap_mps2 * self.config.mass_kg / MOTOR_COUNT as f32, self.config.rotor_thrust_idle_n)
-        });
+        let high_n = self.rotor_cap_n().unwrap_or(self.config.rotor_thrust_max_n);
         let mixed = mix_below(&self.config, &demand, high_n);
         self.rate.limited(&mixed.saturation);
         // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
@@ -509,15 +520,24 @@ impl<M: RecordMemory> FlightLogic<M> {
         TickOutput { throttle: Some(throttle), setpoint }
     }
 
+    /// A rotor's share of the thrust allowed, N, where it is capped.
+    fn rotor_cap_n(&self) -> Option<f32> {
+        let config = &self.config;
+        self.thrust_cap_mps2().map(|cap_mps2| {
+            at_least(cap_mps2 * config.mass_kg / MOTOR_COUNT as f32, config.rotor_thrust_idle_n)
+        })
+    }
+
     /// One motor turns for its time, the others stand.
     #[inline(never)]
     fn tested(&mut self, now_us: u64) -> [f32; MOTOR_COUNT] {
         let mut throttle = [0.0; MOTOR_COUNT];
-        self.motor_test = self.motor_test.filter(|test| now_us < test.until_us);
-        if let Some(test) = &self.motor_test
+        if let Some(test) = self.motor_test.filter(|test| now_us < test.until_us)
             && let Some(slot) = throttle.get_mut(usize::from(test.motor))
         {
-            *slot = test.throttle;
+            *slot = self.rotor_cap_n().map_or(test.throttle, |high_n| {
+                at_most(test.throttle, self.drive.throttle_of(&self.config, high_n, self.drive_v))
+            });
         }
         throttle
     }

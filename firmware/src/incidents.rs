@@ -11,7 +11,9 @@ use crate::config::INCIDENTS;
 #[derive(Debug, Default)]
 pub(crate) struct Incidents {
     waiting: Deque<Incident, INCIDENTS>,
-    /// Number of the latest; 0 before the first.
+    /// Number before the first of this run.
+    before: u16,
+    /// Number of the latest, or [`Self::before`].
     latest: u16,
     /// Number of the latest that says that the supervisor stopped the motors for good; 0 for none.
     terminated: u16,
@@ -19,13 +21,24 @@ pub(crate) struct Incidents {
 
 impl Incidents {
     pub(crate) const fn new() -> Self {
-        Self { waiting: Deque::new(), latest: 0, terminated: 0 }
+        Self { waiting: Deque::new(), before: 0, latest: 0, terminated: 0 }
     }
 
-    /// Adds one and returns its number. Numbers grow by one, and begin anew after 65535 in one run.
+    /// Begins the numbers at a place of this run's own, so that an acknowledgement meant for an incident of an earlier run
+    /// meets none of this one. Before the first.
+    pub(crate) fn number_after(&mut self, session: u32) {
+        // Half of them are left to count with.
+        self.before = session as u16 >> 1;
+        self.latest = self.before;
+    }
+
+    /// Adds one and returns its number. Numbers grow by one, and go on with 1 after 65535.
     pub(crate) fn push(&mut self, cause: IncidentCause) -> u16 {
         let stopped_by = self.terminated;
-        self.latest = self.latest.wrapping_add(1).max(1);
+        self.latest = self.latest.checked_add(1).unwrap_or_else(|| {
+            self.before = 0;
+            1
+        });
         let terminates = matches!(cause, IncidentCause::Terminated(_));
         if terminates {
             self.terminated = self.latest;
@@ -55,7 +68,7 @@ impl Incidents {
 
     /// Whether an incident of this number was there and waits no more.
     pub(crate) fn is_over(&self, number: u16) -> bool {
-        number != 0 && self.oldest().map_or(number <= self.latest, |oldest| number < oldest.number)
+        number > self.before && self.oldest().map_or(number <= self.latest, |oldest| number < oldest.number)
     }
 
     /// Takes the oldest out if it has this number, and tells whether it had.
@@ -116,6 +129,20 @@ mod tests {
         }
         assert!(incidents.is_over(5), "what was left out waits no more");
         assert!(incidents.acknowledge(10));
+    }
+
+    /// A host that repeats an acknowledgement over a reset acknowledges nothing.
+    #[test]
+    fn numbers_of_another_run_are_nobodys() {
+        let mut incidents = Incidents::new();
+        incidents.number_after(0xABCD_8642);
+        assert!(!incidents.is_over(0x4321) && !incidents.is_over(1));
+        assert_eq!(incidents.push(IncidentCause::Watchdog), 0x4322);
+        assert!(!incidents.is_over(1) && !incidents.acknowledge(1));
+        assert!(incidents.acknowledge(0x4322));
+        assert!(incidents.is_over(0x4322) && !incidents.is_over(0x4321) && !incidents.is_over(0x4323));
+        incidents.number_after(u32::MAX);
+        assert_eq!(incidents.push(IncidentCause::Watchdog), 0x8000);
     }
 
     #[test]

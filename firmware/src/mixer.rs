@@ -197,6 +197,13 @@ impl RotorDrive {
         throttles
     }
 
+    /// The throttle at which a rotor comes to give `thrust_n`.
+    pub fn throttle_of(&mut self, config: &VehicleConfig, thrust_n: f32, battery_v: Option<f32>) -> f32 {
+        let compensation = config.battery_nominal_v / self.voltage_now(config, battery_v);
+        let speed = sqrt(thrust_n / config.rotor_thrust_max_n) * compensation;
+        throttle_of_speed(config.thrust_linear_share, at_most(speed, 1.0))
+    }
+
     /// The battery's voltage now, V: the last one measured, less what it has sagged since by the thrust that has grown.
     fn voltage_now(&mut self, config: &VehicleConfig, battery_v: Option<f32>) -> f32 {
         // An implausible voltage (sense wire off) is not compensated for.

@@ -253,6 +253,18 @@ impl KillSwitch {
         }
     }
 
+    /// Makes it another switch; the same one goes on. Where a receiver was heard the new switch is lost until it is heard, not
+    /// one that was never there.
+    pub fn configure(&mut self, config: KillSwitchConfig) {
+        if self.config != config {
+            let heard = self.position != KillState::Unknown;
+            *self = Self::new(config);
+            if heard {
+                (self.position, self.state) = (KillState::Lost, KillState::Lost);
+            }
+        }
+    }
+
     /// Takes what the receiver sent since the last call, at most [`BYTES_PER_CALL`] bytes of it, and answers what the pilot
     /// wants at `now_us`. Call it every tick, with or without bytes: silence is an answer too. A switch that ran, did not, and
     /// runs again, all in these bytes, does not run in this answer.

@@ -7,7 +7,7 @@ use mintime_shared::messages::{
 };
 use mintime_shared::table::SCHEMA_HASH;
 
-use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_TRIGGER_US, TELEMETRY_RANGE_MS};
+use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_US, TELEMETRY_RANGE_MS};
 use crate::flight::{FlightLogic, Inbox, MotorTest, Outbox};
 use crate::keeping::{self, Key};
 use crate::recorder::RecordMemory;
@@ -140,7 +140,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             },
             // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
             Request::Trigger { checksum }
-                if self.has_triggered(number, now_us) && checksum == self.tables.committed_checksum() =>
+                if is_repeated(self.last_trigger, number, now_us)
+                    && checksum == self.tables.committed_checksum() =>
             {
                 Verdict::Now(Ok(()))
             }
@@ -152,7 +153,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Err(refusal) => Verdict::Now(Err(refusal)),
             },
             Request::TestMotor { motor, throttle, duration_ms } => {
-                Verdict::Now(self.test_motor(motor, throttle, duration_ms, now_us))
+                Verdict::Now(self.test_motor(number, motor, throttle, duration_ms, now_us))
             }
             _ => Verdict::Later,
         }
@@ -222,6 +223,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                     .get(place)
                     .and_then(Option::as_ref)
                     .is_some_and(|slot| slot.listing.name == *name && slot.listing.checksum == checksum)
+                    && !self.damaged.of(Key::Table(place as u8))
                 {
                     return Ok(Reply::Done);
                 }
@@ -253,7 +255,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::WriteVehicle(config) => {
                 motors_off()?;
                 config.check().map_err(Refusal::Vehicle)?;
-                if self.known && self.config == config {
+                if self.known && self.config == config && !self.damaged.of(Key::Vehicle) {
                     return Ok(Reply::Done);
                 }
                 self.keep(Key::Vehicle, keeping::value(&config), now_us)
@@ -262,20 +264,20 @@ impl<M: RecordMemory> FlightLogic<M> {
             Request::WriteSettings(settings) => {
                 motors_off()?;
                 settings.check().map_err(Refusal::Settings)?;
-                if self.settings == settings {
+                if self.settings == settings && !self.damaged.of(Key::Settings) {
                     return Ok(Reply::Done);
                 }
                 self.keep(Key::Settings, keeping::value(&settings), now_us)
             }
             Request::Pair(key) => {
                 motors_off()?;
-                if self.pairing == key {
+                if self.pairing == key && !self.damaged.of(Key::Pairing) {
                     return Ok(Reply::Done);
                 }
                 let value = key.map_or(Some(keeping::Value::new()), |key| keeping::value(&key));
                 self.keep(Key::Pairing, value, now_us)
             }
-            Request::Calibrate => self.calibrate(number),
+            Request::Calibrate => self.calibrate(number, now_us),
             Request::CalibrateScale { axis, turns } => self.calibrate_scale((number, axis, turns), now_us),
             // Another stop came with it: then it waits on, or nothing would be left to acknowledge.
             Request::Acknowledge { incident } if self.leads_out(incident) => {
@@ -358,7 +360,14 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     #[inline(never)]
-    fn test_motor(&mut self, motor: u8, throttle: f32, duration_ms: u16, now_us: u64) -> Result<(), Refusal> {
+    fn test_motor(
+        &mut self,
+        number: u16,
+        motor: u8,
+        throttle: f32,
+        duration_ms: u16,
+        now_us: u64,
+    ) -> Result<(), Refusal> {
         if self.state() != FlightState::Armed {
             return Err(Refusal::WrongState(self.state()));
         }
@@ -371,15 +380,12 @@ impl<M: RecordMemory> FlightLogic<M> {
         if !sane {
             return Err(Refusal::OutOfRange);
         }
-        let until_us = now_us.saturating_add(u64::from(duration_ms) * 1000);
-        self.motor_test = Some(MotorTest { motor, throttle, until_us });
+        // The answer was lost and the host asks again: its time goes on.
+        if self.motor_test.is_none_or(|test| test.number != number) {
+            let until_us = now_us.saturating_add(u64::from(duration_ms) * 1000);
+            self.motor_test = Some(MotorTest { number, motor, throttle, until_us });
+        }
         Ok(())
-    }
-
-    /// Whether a maneuver was triggered by a request of this number, not long ago: numbers wrap.
-    fn has_triggered(&self, number: u16, now_us: u64) -> bool {
-        self.last_trigger
-            .is_some_and(|(n, at)| n == number && now_us.saturating_sub(at) <= REPEATED_TRIGGER_US)
     }
 
     #[inline(never)]
@@ -435,6 +441,11 @@ impl<M: RecordMemory> FlightLogic<M> {
             rate_max_radps: limits.rate_max_radps,
         }
     }
+}
+
+/// Whether a request of this number was there not long before: numbers wrap, and each host begins with its own.
+pub(crate) fn is_repeated(before: Option<(u16, u64)>, number: u16, now_us: u64) -> bool {
+    before.is_some_and(|(n, at_us)| n == number && now_us.saturating_sub(at_us) <= REPEATED_US)
 }
 
 fn at_hand(available_mps2: f32, cap_mps2: Option<f32>) -> f32 {

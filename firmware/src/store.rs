@@ -6,8 +6,12 @@
 //! the only copy of anything being erased.
 //!
 //! Behind that word comes one more, the *confirmation*, which decides nothing. What does not add up and is confirmed was whole
-//! once: it is damaged, and [`Store::damage`] tells it. What is not confirmed was cut short. A sector that is given up says so
-//! in a word of its own before its header falls, so that this is not taken for damage either.
+//! once: it is damaged, and [`Store::damage`] tells it. What is not confirmed was cut short; what is whole all the same counts,
+//! and the next write moves it and confirms it. A sector that is given up says so in a word of its own before its header
+//! falls, so that this is not taken for damage either.
+//!
+//! Damage outlives a move: a *mark*, a confirmed record that never adds up, stands for each damaged key until that very key is
+//! written anew.
 //!
 //! The sector to move into is erased each time, whatever it reads as: cells of an erase cut short may read blank and not
 //! stay so. The sector left behind keeps its older copies until then; its number of generation is lower, so it never counts
@@ -17,8 +21,8 @@
 //! words; an erase cut short that leaves both of them standing makes its repair erase the good page of two and rebuild it
 //! from the broken one. `tests/tests/other_store.rs` shows it.)
 //!
-//! Every call scans a sector, 4096 words, three times at most. A write takes up to 68 words of programming, a move 760 and an
-//! erase.
+//! A read scans a sector, 4096 words, twice at most; a write does so four times, with a move fifteen times. It takes up to 68
+//! words of programming, a move 790 and an erase.
 
 mod flash;
 mod header;
@@ -97,13 +101,28 @@ pub struct Damage {
 }
 
 impl Damage {
-    const NONE: Self = Self { codes: 0 };
-    const ALL: Self = Self { codes: u32::MAX };
+    /// None of them.
+    pub const NONE: Self = Self { codes: 0 };
+    /// All of them.
+    #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler only")]
+    pub const ALL: Self = {
+        let (mut codes, mut n) = (0, 0);
+        while n < Key::ALL.len() {
+            codes |= 1 << Key::ALL[n].code();
+            n += 1;
+        }
+        Self { codes }
+    };
 
-    fn set(&mut self, code: u8, damaged: bool) {
+    fn set_code(&mut self, code: u8, damaged: bool) {
         // Codes of keys are below 32.
         let bit = 1_u32.checked_shl(code.into()).unwrap_or(0);
         self.codes = if damaged { self.codes | bit } else { self.codes & !bit };
+    }
+
+    /// Says of a key whether it is.
+    pub fn set(&mut self, key: Key, damaged: bool) {
+        self.set_code(key.code(), damaged);
     }
 
     /// Whether there is any.
@@ -118,7 +137,7 @@ impl Damage {
 }
 
 /// The values. Keeps nothing in RAM: what counts is found in flash each time.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Store<F> {
     flash: F,
 }
@@ -157,22 +176,44 @@ impl<F: Flash> Store<F> {
     #[inline(never)]
     pub fn damage(&mut self) -> Result<Damage, StoreError> {
         let live = self.live()?;
-        for sector in Sector::BOTH {
-            let counts = live.is_some_and(|(live, _)| live == sector);
-            if !counts && self.header(sector)?.was_live(live.map(|(_, generation)| generation)) {
-                return Ok(Damage::ALL);
-            }
-        }
-        let Some((sector, _)) = live else { return Ok(Damage::NONE) };
-        let mut damage = Damage::NONE;
+        let lost = self.was_live(Sector::First, live)? || self.was_live(Sector::Second, live)?;
+        let mut damage = if lost { Damage::ALL } else { Damage::NONE };
+        let Some((sector, _)) = live else { return Ok(damage) };
         let walk = self.walk(sector, |store, offset, header| {
             let whole = store.record(sector, offset, header)?.is_some();
-            if whole || says_yes(store.word(sector, offset + header.record_bytes() - WORD)?) {
-                damage.set(header.code, !whole);
+            if whole || store.is_confirmed(sector, offset, header)? {
+                damage.set_code(header.code, !whole);
             }
             Ok(())
         })?;
-        Ok(if self.is_blank(sector, walk.looked_at)? { damage } else { Damage::ALL })
+        Ok(if lost || !self.is_blank(sector, walk.looked_at)? { Damage::ALL } else { damage })
+    }
+
+    fn is_confirmed(
+        &mut self,
+        sector: Sector,
+        offset: usize,
+        header: RecordHeader,
+    ) -> Result<bool, StoreError> {
+        Ok(says_yes(self.word(sector, offset + header.record_bytes() - WORD)?))
+    }
+
+    /// Where the next record goes in the live sector; none where its header, or a record that is whole, is not confirmed.
+    #[inline(never)]
+    fn confirmed_end(&mut self, live: Sector) -> Result<Option<usize>, StoreError> {
+        let mut confirmed = self.header(live)?.confirmed;
+        let walk = self.walk(live, |store, offset, header| {
+            confirmed &=
+                store.is_confirmed(live, offset, header)? || store.record(live, offset, header)?.is_none();
+            Ok(())
+        })?;
+        Ok(confirmed.then_some(walk.end))
+    }
+
+    /// Whether a sector that does not count did, and would now if it were not damaged.
+    fn was_live(&mut self, sector: Sector, live: Option<(Sector, u32)>) -> Result<bool, StoreError> {
+        let counts = live.is_some_and(|(live, _)| live == sector);
+        Ok(!counts && self.header(sector)?.was_live(live.map(|(_, generation)| generation)))
     }
 
     /// Gives `key` a new value. Nothing is written where it has that value already. Where this ends early, by a power cut or
@@ -211,9 +252,15 @@ impl<F: Flash> Store<F> {
 
     /// Erases a sector. Its header falls before, or it could stand in what an erase cut short leaves.
     fn clear(&mut self, sector: Sector) -> Result<(), StoreError> {
+        self.give_up(sector)?;
+        self.flash.erase(sector)?;
+        Ok(())
+    }
+
+    /// From now on a sector counts no more, and never did.
+    fn give_up(&mut self, sector: Sector) -> Result<(), StoreError> {
         self.flash.program(sector, GIVEN_UP, YES)?;
         self.flash.program(sector, 0, 0)?;
-        self.flash.erase(sector)?;
         Ok(())
     }
 
@@ -336,23 +383,53 @@ impl<F: Flash> Store<F> {
     /// Appends `record`, in the live sector or, where it does not fit, after a move.
     #[inline(never)]
     fn put(&mut self, key: Key, record: &Record, value: Option<&[u8]>) -> Result<(), StoreError> {
-        let Some((live, generation)) = self.live()? else {
-            if value.is_none() && !self.damage()?.of(key) {
+        let found = self.live()?;
+        let Some((live, generation)) = found else {
+            let damage = self.damage()?;
+            if value.is_none() && !damage.of(key) {
                 return Ok(());
             }
-            return self.begin(Sector::First, 1, None, key, record);
+            // What says that there is damage stands until its marks do.
+            let lost = self.was_live(Sector::First, None)?;
+            let begin = if lost { Sector::Second } else { Sector::First };
+            self.begin(begin, 1, None, damage, key, record)?;
+            return self.give_up(begin.other());
         };
-        if self.holds(live, key, value)? && !self.damage()?.of(key) {
-            return Ok(());
-        }
-        // A sector that was live is damaged: the move erases it, or it would be told for ever.
-        if !self.header(live.other())?.was_live(Some(generation)) {
-            let end = self.walk(live, |_, _, _| Ok(()))?.end;
-            if self.append(live, end, record)?.is_some() {
+        // Where a cut has left something unconfirmed the move makes it good.
+        if let Some(mut end) = self.confirmed_end(live)? {
+            if self.holds(live, key, value)? && !self.damage()?.of(key) {
+                return Ok(());
+            }
+            let mut marked = true;
+            // A sector that was live is damaged: it must not be told for ever, nor be forgotten.
+            if self.was_live(live.other(), found)? {
+                for key in Key::ALL {
+                    marked &= self.mark(live, &mut end, key)?;
+                }
+                if marked {
+                    self.give_up(live.other())?;
+                }
+            }
+            if marked && self.append(live, end, record)?.is_some() {
                 return Ok(());
             }
         }
-        self.begin(live.other(), generation.saturating_add(1), Some(live), key, record)
+        let damage = self.damage()?;
+        self.begin(live.other(), generation.saturating_add(1), Some(live), damage, key, record)
+    }
+
+    /// Writes down at `end` that a key is damaged; answers whether there was room.
+    fn mark(&mut self, sector: Sector, end: &mut usize, key: Key) -> Result<bool, StoreError> {
+        let header = RecordHeader { code: key.code(), length: 0, removed: true };
+        let mark = Record::new(header, &[]);
+        if *end + mark.bytes_in_flash() > SECTOR_BYTES {
+            return Ok(false);
+        }
+        for word in [header.word(), !mark.checksum(), YES] {
+            self.flash.program(sector, *end, word)?;
+            *end += WORD;
+        }
+        Ok(true)
     }
 
     /// Programs `record` and reads it again: where the next one goes, or none if there is no room or it does not hold.
@@ -379,23 +456,27 @@ impl<F: Flash> Store<F> {
         Ok(Some(offset + bytes))
     }
 
-    /// Makes `sector` live: erases it, takes over what is alive in `from`, adds `record` for `key`, and writes the header.
+    /// Makes `sector` live: erases it, takes over what is alive in `from` and what is damaged, adds `record` for `key`, and
+    /// writes the header.
     #[inline(never)]
     fn begin(
         &mut self,
         sector: Sector,
         generation: u32,
         from: Option<Sector>,
+        damage: Damage,
         key: Key,
         record: &Record,
     ) -> Result<(), StoreError> {
         self.clear(sector)?;
         let mut end = HEADER_BYTES;
-        if let Some(from) = from {
-            for other in Key::ALL.into_iter().filter(|other| other.code() != key.code()) {
-                if let Some(kept) = self.latest(from, other)? {
-                    end = self.append(sector, end, &kept)?.ok_or(StoreError::WornOut)?;
-                }
+        for other in Key::ALL.into_iter().filter(|other| other.code() != key.code()) {
+            let kept = from.map(|from| self.latest(from, other)).transpose()?.flatten();
+            if let Some(kept) = kept {
+                end = self.append(sector, end, &kept)?.ok_or(StoreError::WornOut)?;
+            }
+            if damage.of(other) {
+                self.mark(sector, &mut end, other)?;
             }
         }
         self.append(sector, end, record)?.ok_or(StoreError::WornOut)?;

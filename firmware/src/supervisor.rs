@@ -182,7 +182,7 @@ pub const TRANSITIONS: [Transition; 36] = {
         row(S::TRACKING, C::TRIGGER.union(C::FRESH), NONE, Maneuver, None),
         row(S::ARMED, C::FRESH.union(C::LIFTS), NONE, Tracking, None),
         row(S::DISARMED, NONE, C::CALIBRATED, Calibrating, None),
-        row(S::DISARMED, C::ARM, C::KILL.union(C::KILL_LOST).union(C::DISARM), Armed, None),
+        row(S::DISARMED, C::ARM, C::KILL.union(C::KILL_LOST).union(C::DISARM).union(C::CLOCK), Armed, None),
         // From power-up.
         row(S::BOOT, NONE, C::STARTING, Calibrating, None),
         row(S::CALIBRATING, C::CALIBRATED, NONE, Disarmed, None),

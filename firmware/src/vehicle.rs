@@ -7,6 +7,7 @@ use crate::flight::{FlightLogic, Inbox, Outbox, TickInput, TickOutput};
 use crate::keeping::{Job, Key};
 use crate::link::Link;
 use crate::recorder::RecordMemory;
+use crate::store::Damage;
 
 /// Serial bytes and sensor samples in, serial bytes and throttles out.
 #[derive(Debug)]
@@ -32,6 +33,11 @@ impl<M: RecordMemory> Vehicle<M> {
     /// Hands back what was kept under a key before the power went. Before the first tick. Returns whether it could be used.
     pub fn restore(&mut self, key: Key, value: &[u8]) -> bool {
         self.logic.restore(key, value)
+    }
+
+    /// Says of which keys the value that was written last may be lost. Before the first tick.
+    pub fn note_damage(&mut self, damage: Damage) {
+        self.logic.note_damage(damage);
     }
 
     /// Says what happened before this start, or to the board. It blocks arming until a person has acknowledged it. Returns

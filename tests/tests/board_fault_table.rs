@@ -71,6 +71,7 @@ rows! {
     link_cut_low: LinkCut in Low => Landed within 2100 off 2100 told LinkLost;
     link_cut_maneuver: LinkCut in Maneuver => Recovery within 490;
     link_cut_abandon: LinkCut in Abandon => Recovery within 110 told LinkLost;
+    link_cut_recovery: LinkCut in Recovery => Terminated within 1910 off 1910 told LinkLost;
     setpoints_stop_armed: SetpointsStop in Armed => Armed;
     setpoints_stop_tracking: SetpointsStop in Tracking => Terminated within 2110 off 2110 told LinkLost;
     cameras_silent_tracking: CamerasSilent in Tracking => Terminated within 1010 off 1010 told EmergencyStop;
@@ -86,6 +87,7 @@ rows! {
     dead_motor_tracking: DeadMotor in Tracking => Terminated within 300 off 300 told Runaway;
     dead_motor_maneuver: DeadMotor in Maneuver => Terminated within 300 off 300 told Runaway;
     dead_signal_tracking: DeadSignal in Tracking => Terminated within 400 off 400 told Runaway;
+    dead_signal_maneuver: DeadSignal in Maneuver => Terminated within 400 off 400 told Runaway;
     frame_ends_lost_disarmed: FrameEndsLost in Disarmed => Disarmed;
     frame_ends_lost_armed: FrameEndsLost in Armed => Boot within 13 off 12 told SetUp;
     frame_ends_lost_tracking: FrameEndsLost in Tracking => Boot within 13 off 12 told SetUp;
@@ -122,11 +124,19 @@ rows! {
     brown_out_armed: BrownOut in Armed => Boot within 12 off 1 told BrownOut;
     brown_out_tracking: BrownOut in Tracking => Boot within 12 off 1 told BrownOut;
     brown_out_maneuver: BrownOut in Maneuver => Boot within 12 off 1 told BrownOut;
+    brown_out_recovery: BrownOut in Recovery => Boot within 12 off 1 told BrownOut;
+    brown_out_disarmed: BrownOut in Disarmed => Boot within 12 told BrownOut;
     reset_tracking: Reset in Tracking => Boot within 12 off 12;
     reset_maneuver: Reset in Maneuver => Boot within 12 off 12;
+    reset_disarmed: Reset in Disarmed => Boot within 12;
+    reset_armed: Reset in Armed => Boot within 12 off 12;
+    reset_recovery: Reset in Recovery => Boot within 12 off 12;
+    reset_landed: Reset in Landed => Boot within 12;
+    reset_terminated: Reset in Terminated => Boot within 12 told EmergencyStop;
     power_cut_tracking: PowerCut in Tracking => Boot within 12 off 12;
     cut_in_write_disarmed: CutInWrite in Disarmed => Boot within 12;
     cut_in_erase_disarmed: CutInErase in Disarmed => Boot within 12;
+    decayed_store_disarmed: StoreDecays in Disarmed => Boot within 12 told StoreDamaged;
     // The kill switch.
     kill_disarmed: KillPressed in Disarmed => Disarmed;
     kill_armed: KillPressed in Armed => Terminated within 8 off 8 told KillSwitch;

@@ -86,6 +86,29 @@ fn an_emergency_outlives_resets_until_it_is_acknowledged() {
     assert_eq!(bench.waits(), None);
 }
 
+/// It is kept in the very tick in which the motors stop.
+#[test]
+fn an_emergency_outlives_a_reset_right_behind_it() {
+    let mut bench = Bench::started();
+    let now_s = bench.vehicle.now_ns() as f64 * 1e-9;
+    let mut client = Client::default();
+    client.ask(&mut bench.vehicle, Request::EmergencyStop, now_s).expect("a line");
+    let state = |bench: &Bench| bench.vehicle.states().last().map(|(_, state)| *state);
+    for step in 0.. {
+        assert!(step < 100, "it does not stop");
+        let later = bench.vehicle.now_ns() + 100_000;
+        bench.vehicle.advance_to(later).expect("time goes on");
+        if state(&bench) == Some(FlightState::Terminated) {
+            break;
+        }
+    }
+    // The tick ends, and the next one is far.
+    let later = bench.vehicle.now_ns() + 400_000;
+    bench.vehicle.advance_to(later).expect("time goes on");
+    bench.reset();
+    assert_eq!(bench.waits(), Some(STOPPED));
+}
+
 /// One that was acknowledged in its own run is none of the next.
 #[test]
 fn an_acknowledged_emergency_is_forgotten() {
@@ -139,7 +162,7 @@ fn a_paired_vehicle_without_random_numbers_is_not_armed() {
             }
             bench.board().peripherals.set_rng_defect(defect);
             bench.board().peripherals.request_reset();
-            let mut ask = |bench: &mut Bench, request: Request| {
+            let ask_as = |client: &mut Client, bench: &mut Bench, request: Request| {
                 for _ in 0..20 {
                     let now_s = bench.vehicle.now_ns() as f64 * 1e-9;
                     client.ask(&mut bench.vehicle, request.clone(), now_s).expect("a line");
@@ -153,6 +176,7 @@ fn a_paired_vehicle_without_random_numbers_is_not_armed() {
                 }
                 panic!("{request:?}: no answer");
             };
+            let mut ask = |bench: &mut Bench, request: Request| ask_as(&mut client, bench, request);
             bench.pass_ms(5000);
             ask(&mut bench, Request::Identify);
             let status = |reply| match reply {
@@ -164,6 +188,15 @@ fn a_paired_vehicle_without_random_numbers_is_not_armed() {
             assert!(!block.contains(ArmingBlock::STARTING), "{block}");
             let Some(Incident { number, cause }) = telemetry.incident else {
                 assert!(!paired && !block.contains(ArmingBlock::NO_MOTORS), "{block}");
+                // Nor may it be paired now and armed.
+                while bench.ask(&Request::Status) != Reply::Refused(Refusal::NotSealed) {
+                    bench.ask(&Request::Pair(Some(KEY)));
+                    bench.pass_ms(10);
+                }
+                let mut host = Client::with_key(Some(KEY));
+                ask_as(&mut host, &mut bench, Request::Identify);
+                let telemetry = status(ask_as(&mut host, &mut bench, Request::Status));
+                assert!(ArmingBlock(telemetry.arming_block).contains(ArmingBlock::NO_MOTORS));
                 continue;
             };
             assert!(paired && matches!(cause, IncidentCause::SetUp(_)), "{cause:?}");

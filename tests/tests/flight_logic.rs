@@ -12,6 +12,7 @@ use mintime_shared::messages::{
     AbortReason, ArmingBlock, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES,
     Refusal, Reply, Request, Setpoint, Uplink,
 };
+use mintime_shared::settings::Settings;
 
 const ALL_STATES: [FlightState; 9] = FlightState::ALL;
 
@@ -120,6 +121,91 @@ fn a_clock_that_runs_backwards_stops_the_motors() {
                 assert_eq!(bench.abort(), Some(AbortReason::Clock));
             }
         }
+    }
+}
+
+/// Nor does anybody arm by it.
+#[test]
+fn a_clock_that_runs_backwards_arms_nothing() {
+    let mut bench = Bench::ready();
+    bench.now_us -= 2 * TICK_US;
+    let refusal = bench.refusal(Request::Arm(Purpose::Flight));
+    assert_eq!(refusal, Refusal::WrongState(FlightState::Disarmed));
+    bench.run(2);
+    bench.arm();
+}
+
+/// A motor test that comes again under its number goes on; it does not begin anew, nor after it is over.
+#[test]
+fn a_motor_test_that_is_repeated_lasts_its_time() {
+    let mut bench = Bench::ready();
+    assert_eq!(bench.ask(Request::Arm(Purpose::MotorTest)), Reply::Done);
+    let test = Request::TestMotor { motor: 0, throttle: 0.1, duration_ms: 100 };
+    let turns = |bench: &Bench| bench.out.throttle.expect("armed").iter().any(|t| *t > 0.0);
+    let number = bench.number;
+    let mut turned = 0;
+    for _ in 0..300 {
+        bench.number = number;
+        assert_eq!(bench.ask(test.clone()), Reply::Done);
+        turned += usize::from(turns(&bench));
+    }
+    assert_eq!(turned, 80);
+    // Another number is another test.
+    assert_eq!(bench.ask(test), Reply::Done);
+    bench.tick(&[]);
+    assert!(turns(&bench));
+}
+
+/// Without a kill switch a motor under test gets no more than its share of the thrust that is allowed on the bench.
+#[test]
+fn a_motor_test_keeps_to_the_bench_cap() {
+    for bench_thrust_mps2 in [0.3, 1.0] {
+        let mut bench = Bench::ready();
+        let settings = Settings { bench_thrust_mps2, ..Settings::DEFAULT };
+        assert_eq!(bench.ask(Request::WriteSettings(settings)), Reply::Done);
+        bench.kill = KillSwitch::Absent;
+        assert_eq!(bench.ask(Request::Arm(Purpose::MotorTest)), Reply::Done);
+        let throttle = mintime_shared::messages::MOTOR_TEST_THROTTLE_MAX;
+        assert_eq!(bench.ask(Request::TestMotor { motor: 0, throttle, duration_ms: 500 }), Reply::Done);
+        bench.tick(&[]);
+        let told = bench.out.throttle.expect("armed").into_iter().fold(0.0, f32::max);
+        let config = VehicleConfig::REFERENCE;
+        let share = config.thrust_linear_share;
+        let volts = bench.battery_v.expect("a battery") / config.battery_nominal_v;
+        let thrust_n = config.rotor_thrust_max_n * ((1.0 - share) * told + share) * told * volts * volts;
+        let most_n = (bench_thrust_mps2 * config.mass_kg / 4.0).max(config.rotor_thrust_idle_n);
+        assert!(told > 0.0 && thrust_n <= most_n * 1.001, "{thrust_n} N of {most_n}");
+        assert!(thrust_n >= most_n * 0.999 || told == throttle, "{thrust_n} N of {most_n}");
+    }
+}
+
+/// A request is the one before only as long as it is asked again: another host may begin with the same number.
+#[test]
+fn a_calibration_under_a_number_of_long_ago_is_a_new_one() {
+    let mut bench = Bench::ready();
+    let turns = Request::CalibrateScale { axis: 2, turns: 1 };
+    for request in [Request::Calibrate, turns] {
+        let number = bench.number;
+        let again = |bench: &mut Bench| {
+            bench.number = number;
+            bench.ask(request.clone())
+        };
+        let settle = |bench: &mut Bench| {
+            for pending in 0..20_000 {
+                let reply = again(bench);
+                if reply != Reply::Pending {
+                    assert_eq!(again(bench), reply, "its answer was lost");
+                    return (pending, reply);
+                }
+                bench.run(1);
+            }
+            panic!("pending for ever");
+        };
+        let (first, reply) = settle(&mut bench);
+        assert!(first > 10, "{request:?}");
+        bench.run(13_000);
+        let (second, same) = settle(&mut bench);
+        assert!(second > 10 && same == reply, "{request:?}: {second}, {same:?} after {reply:?}");
     }
 }
 

@@ -7,6 +7,7 @@ use logic::{BOTH, Bench, Store, bytes_of, chunk, made_for, table, table_of};
 use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::keeping::Key;
+use mintime_firmware::store::Damage;
 use mintime_shared::messages::{
     ArmingBlock, FlightState, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, StoredTable,
     TableName,
@@ -353,6 +354,97 @@ fn damaged_values_are_not_restored() {
             assert_eq!(logic.config().check(), Ok(()));
         }
     }
+}
+
+/// A vehicle with a store, switched on with this damage.
+fn damaged(keys: &[Key]) -> Bench {
+    let mut old = Bench::with_store();
+    for request in [
+        Request::WriteVehicle(VehicleConfig { mass_kg: 0.75, ..VehicleConfig::REFERENCE }),
+        Request::WriteSettings(Settings { recovery_ms: 900, ..Settings::DEFAULT }),
+    ] {
+        assert_eq!(old.settle(&request).0, Reply::Done);
+    }
+    let mut bench = power_cycle(&old);
+    let mut damage = Damage::NONE;
+    for key in keys {
+        damage.set(*key, true);
+    }
+    bench.logic.note_damage(damage);
+    bench
+}
+
+/// Nothing is written over what nobody has read of.
+#[test]
+fn damage_that_waits_to_be_acknowledged_keeps_the_store_as_it_is() {
+    let mut bench = damaged(&[Key::Settings]);
+    bench.commit(&table());
+    let heavier = VehicleConfig { mass_kg: 0.8, ..VehicleConfig::REFERENCE };
+    let writes = [
+        store("flip"),
+        Request::WriteVehicle(heavier),
+        Request::WriteSettings(Settings::DEFAULT),
+        Request::Pair(Some([7; 16])),
+    ];
+    let jobs = bench.store.as_ref().expect("a store").jobs;
+    for write in &writes {
+        let waits = Refusal::ArmingBlocked(ArmingBlock::INCIDENT.0);
+        assert_eq!(bench.refusal(write.clone()), waits, "{write:?}");
+    }
+    bench.run(20);
+    assert_eq!(bench.store.as_ref().expect("a store").jobs, jobs);
+    assert_eq!(bench.acknowledge(), Reply::Done);
+    for write in &writes {
+        assert_eq!(bench.settle(write).0, Reply::Done, "{write:?}");
+    }
+}
+
+/// The value in force may be an older one: told again, it goes to the store, once.
+#[test]
+fn what_is_damaged_is_written_anew_though_it_reads_the_same() {
+    let mut bench = damaged(&[Key::Vehicle, Key::Settings, Key::Pairing]);
+    assert_eq!(bench.acknowledge(), Reply::Done);
+    let settings = *bench.logic.settings();
+    let writes =
+        [Request::WriteVehicle(*bench.logic.config()), Request::WriteSettings(settings), Request::Pair(None)];
+    let jobs = bench.store.as_ref().expect("a store").jobs;
+    for pass in 0..2 {
+        for (write, n) in writes.iter().zip(1..) {
+            assert_eq!(bench.settle(write).0, Reply::Done, "{write:?}");
+            let done = bench.store.as_ref().expect("a store").jobs - jobs;
+            assert_eq!(done, if pass == 0 { n } else { writes.len() }, "{write:?}");
+        }
+    }
+}
+
+/// A damaged table of which none is left has no name to be mended by: its place is freed once a person has read of it.
+#[test]
+fn the_places_of_lost_tables_are_freed() {
+    let mut bench = damaged(&[Key::Table(0), Key::Table(5)]);
+    bench.store.as_mut().expect("a store").kept.push((Key::Table(5), vec![1; 20]));
+    let jobs = bench.store.as_ref().expect("a store").jobs;
+    bench.run(50);
+    assert_eq!(bench.store.as_ref().expect("a store").jobs, jobs, "before it is acknowledged");
+    assert_eq!(bench.acknowledge(), Reply::Done);
+    bench.run(50);
+    assert_eq!(bench.store.as_ref().expect("a store").jobs, jobs + 2);
+    assert!(bench.store.as_ref().expect("a store").kept.iter().all(|(key, _)| *key != Key::Table(5)));
+    assert_eq!(bench.telemetry().arming_block, 0);
+}
+
+/// A table of another firmware keeps its place until there is no other.
+#[test]
+fn a_table_of_another_layout_gives_its_place_up_last() {
+    let mut bench = Bench::with_store();
+    assert!(!bench.logic.restore(Key::Table(0), &[1, 2, 3]));
+    bench.commit(&table());
+    for n in 0..STORED_TABLES {
+        assert_eq!(bench.settle(&store(&format!("t{n}"))).0, Reply::Done);
+        let kept = &bench.store.as_ref().expect("a store").kept;
+        let reclaimed = kept.iter().any(|(key, _)| *key == Key::Table(0));
+        assert_eq!(reclaimed, n + 1 == STORED_TABLES, "{n}");
+    }
+    assert_eq!(bench.refusal(store("one more")), Refusal::StoreFull);
 }
 
 /// A table that was made for this vehicle is none for the one that it is told to be.

@@ -89,7 +89,7 @@ fn ruled(state: FlightState, c: Conditions) -> Step {
         S::Calibrating => c.contains(C::CALIBRATED).then_some((S::Disarmed, None)),
         S::Disarmed if !c.contains(C::CALIBRATED) => Some((S::Calibrating, None)),
         S::Disarmed => {
-            let may = c.contains(C::ARM) && !disarms && !c.intersects(C::KILL | C::KILL_LOST);
+            let may = c.contains(C::ARM) && !disarms && !c.intersects(C::KILL | C::KILL_LOST | C::CLOCK);
             may.then_some((S::Armed, None))
         }
         S::Armed if c.contains(C::HOST_SILENT) => Some((S::Disarmed, Some(R::HeartbeatLost))),

@@ -84,8 +84,8 @@ struct Control {
     store: StoreStatus,
     /// Ticket of the last job handed to the store.
     ordered: u32,
-    /// Seals of earlier runs do not count in this one.
-    sealed: bool,
+    /// The session's number is no earlier one's: seals of earlier runs do not count in this one.
+    random: bool,
     /// What is kept of incidents for the next start.
     kept: Earlier,
     bytes: [u8; BYTES_PER_TICK],
@@ -101,13 +101,13 @@ pub(super) struct Earlier {
     pub(super) termination: Option<AbortReason>,
 }
 
-/// Starts the control tick. Where the session may be one that was already (not `sealed`) no motor output is offered in this
-/// run, whatever is acknowledged: what is replayed from an earlier one would count.
+/// Starts the control tick. Where the session may be one that was already (not `random`) no motor output is offered while the
+/// vehicle is paired, whatever is acknowledged: what is replayed from an earlier run would count.
 #[allow(unsafe_code)]
 pub(super) fn start(
     vehicle: &'static mut BoardVehicle,
     earlier: Earlier,
-    sealed: bool,
+    random: bool,
     receiver: Receiver,
     radio: RadioReceiver,
     motors: Motors,
@@ -132,7 +132,7 @@ pub(super) fn start(
         measured: BoardTelemetry::default(),
         store: StoreStatus { present: true, busy: false, finished: 0, failed: false },
         ordered: 0,
-        sealed,
+        random,
         kept: earlier,
         bytes: [0; BYTES_PER_TICK],
         watch: vehicle::watch(),
@@ -223,11 +223,12 @@ impl Control {
         self.count_arming_frames(output.throttle.is_some(), battery_v);
         self.listen(now_us);
         self.keep();
-        self.keep_incidents();
         self.take_gyro();
         let status = self.publish();
         self.watch.note(&input, &output, self.vehicle.state(), &status);
         self.move_bytes();
+        // What the rest of the tick has reported or acknowledged is among them.
+        self.keep_incidents();
         self.watch.ticks = self.watch.ticks.wrapping_add(1);
         watchdog::check_in(Party::Control);
         // One writer: no read-modify-write needed.
@@ -360,8 +361,9 @@ impl Control {
         let stack = supervision::STACK_USED_BYTES.load(Ordering::Relaxed);
         measured.stack_used_bytes = u16::try_from(stack).unwrap_or(u16::MAX);
         let motors = self.arming_frames >= MOTOR_ARMING_FRAMES;
+        let sealed = self.random || !self.vehicle.is_paired();
         let status = BoardStatus {
-            capabilities: Capabilities { gyro: self.imu.is_some(), motors: motors && self.sealed },
+            capabilities: Capabilities { gyro: self.imu.is_some(), motors: motors && sealed },
             // Outputs that do not work are not starting.
             starting: self.gyro_pending || (!motors && self.motors_well),
             telemetry: *measured,

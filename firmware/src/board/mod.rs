@@ -32,6 +32,7 @@ use embassy_stm32::gpio::Output;
 use embassy_stm32::mode::Async;
 use embassy_stm32::usart::UartTx;
 use mintime_firmware::receiver::KillSwitchConfig;
+use mintime_firmware::store::Key;
 use mintime_shared::messages::IncidentCause;
 
 /// Before anything else after a reset, memory included: filling that takes 4 ms on the internal oscillator, and floating
@@ -111,12 +112,12 @@ fn set_up() -> Tasks {
     if let Some(reason) = termination {
         vehicle.report(IncidentCause::Terminated(reason));
     }
-    if !storage::each(&mut store, |key, value| vehicle.restore(key, value)) {
-        vehicle.report(IncidentCause::StoreDamaged);
-    }
+    // A whole table that another firmware has laid out otherwise is no damage.
+    let damage =
+        storage::each(&mut store, |key, value| vehicle.restore(key, value) || matches!(key, Key::Table(_)));
+    vehicle.note_damage(damage);
     // A seal of an earlier start must not count in this one.
-    let sealed = run.random || !vehicle.is_paired();
-    if !sealed {
+    if !run.random && vehicle.is_paired() {
         vehicle.report(IncidentCause::SetUp(line!()));
     }
     let parts = facts::Parts::new(peripherals);
@@ -128,7 +129,7 @@ fn set_up() -> Tasks {
     let motors = dshot::Motors::new(parts.motors);
     let earlier = control::Earlier { crash: crash_number, termination };
     let late_timer = tick_source::LateTimer::new(parts.late_timer);
-    control::start(vehicle, earlier, sealed, receiver, radio, motors, late_timer);
+    control::start(vehicle, earlier, run.random, receiver, radio, motors, late_timer);
     let crashed = crash.is_some() || termination.is_some();
     Tasks { gyro: parts.gyro, transmitter, battery, led, crashed, store }
 }

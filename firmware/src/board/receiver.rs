@@ -27,7 +27,6 @@ pub(super) struct RadioReceiver {
     ring: Ring<RING_BYTES>,
     /// What was taken last.
     bytes: [u8; BYTES_PER_TICK],
-    config: KillSwitchConfig,
     switch: KillSwitch,
 }
 
@@ -47,7 +46,7 @@ impl RadioReceiver {
         };
         let ring = Ring::start(line, &RING, Flex::new(rx), RECEIVER_ALTERNATE_FUNCTION);
         let switch = KillSwitch::new(config);
-        Self { _dma: dma, _uart: uart, ring, bytes: [0; BYTES_PER_TICK], config, switch }
+        Self { _dma: dma, _uart: uart, ring, bytes: [0; BYTES_PER_TICK], switch }
     }
 
     /// Takes what has arrived and answers what the pilot wants. From every control tick.
@@ -58,11 +57,7 @@ impl RadioReceiver {
 
     /// Sets which switch it is. One that is already so goes on.
     pub(super) fn configure(&mut self, channel: u8, run_above_us: u16) {
-        let config = KillSwitchConfig { channel, run_above_us, ..KillSwitchConfig::DEFAULT };
-        if self.config != config {
-            self.config = config;
-            self.switch = KillSwitch::new(config);
-        }
+        self.switch.configure(KillSwitchConfig { channel, run_above_us, ..KillSwitchConfig::DEFAULT });
     }
 
     /// The switch, for telemetry.

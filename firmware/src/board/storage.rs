@@ -53,27 +53,25 @@ fn quiet() -> bool {
 }
 
 /// Hands every value that is there to `take`, by its key. At start-up, before [`run`] owns the store; takes 6 ms. What cannot
-/// be read is told and left out. Returns whether all of it could be read, was what had been written last, and `take` took it.
+/// be read is left out. Returns which keys could not be read, may not have the value written last, or were not taken.
 #[inline(never)]
-pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8]) -> bool) -> bool {
+pub(super) fn each(store: &mut BoardStore, mut take: impl FnMut(Key, &[u8]) -> bool) -> Damage {
     let mut value = [0; VALUE_BYTES];
-    let mut whole = true;
+    let mut damage = store.damage().unwrap_or(Damage::ALL);
     for key in Key::ALL {
-        whole &= match store.read(key, &mut value) {
+        let taken = match store.read(key, &mut value) {
             Ok(Some(length)) => take(key, value.get(..length).unwrap_or_default()),
             Ok(None) => true,
-            Err(error) => {
-                defmt::error!("kept: key {=u8} cannot be read: {=str}", key.code(), error.text());
-                false
-            }
+            Err(_) => false,
         };
+        if !taken {
+            damage.set(key, true);
+        }
     }
-    // An older value counts, or none.
-    if store.damage().map_or(true, Damage::is_any) {
+    if damage.is_any() {
         defmt::error!("kept: some of it is damaged");
-        whole = false;
     }
-    whole
+    damage
 }
 
 /// Hands over an order; its answer comes back under the same `number`. From the control tick, with the motors off: the

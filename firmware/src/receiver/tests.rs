@@ -50,6 +50,25 @@ fn running(now_us: u64) -> KillSwitch {
     kill
 }
 
+/// Another channel is another switch: lost until it is heard. That there is none must not be concluded from it.
+#[test]
+fn a_switch_that_becomes_another_is_lost_until_it_is_heard() {
+    let mut kill = running(0);
+    kill.configure(KillSwitchConfig::DEFAULT);
+    assert_eq!(kill.state(), KillState::Run);
+    let other = KillSwitchConfig { channel: 6, ..KillSwitchConfig::DEFAULT };
+    kill.configure(other);
+    for ms in 0..1000 {
+        assert_eq!(kill.state(), KillState::Lost);
+        assert_eq!(kill.update(ms * MS, &[]), KillState::Lost);
+    }
+    kill.update(1000 * MS, &switch(HIGH));
+    assert_eq!(kill.state(), KillState::Kill);
+    let mut silent = KillSwitch::new(KillSwitchConfig::DEFAULT);
+    silent.configure(other);
+    assert_eq!(silent.update(0, &[]), KillState::Unknown);
+}
+
 /// The check value of CRC-8/DVB-S2 in the catalogue of CRCs.
 #[test]
 fn the_checksum_is_the_published_one() {

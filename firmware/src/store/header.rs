@@ -4,7 +4,7 @@ use mintime_shared::crc32;
 
 use super::WORD;
 
-/// Magic number and version of the layout ("MTS2"), generation, checksum of both, confirmation, and whether it is given up.
+/// Magic number of the layout, generation, checksum of both, confirmation, and whether it is given up.
 pub(super) const HEADER_BYTES: usize = 5 * WORD;
 /// Place of the confirmation.
 pub(super) const CONFIRMATION: usize = 3 * WORD;
@@ -13,9 +13,15 @@ pub(super) const GIVEN_UP: usize = 4 * WORD;
 /// A confirmation, and the other words that say yes.
 pub(super) const YES: u32 = 0;
 
-const MAGIC: u32 = u32::from_le_bytes(*b"MTS2");
+const MAGIC: u32 = u32::from_le_bytes(*b"KEPT");
 /// Bits of the magic number that may be wrong in a header that was one.
 const MAGIC_FLIPS: u32 = 4;
+/// Magic numbers of earlier layouts, whose headers began with the same three words.
+const EARLIER: [u32; 2] = [u32::from_le_bytes(*b"MTS1"), u32::from_le_bytes(*b"MTS2")];
+
+// No header of an earlier layout is a damaged one of this.
+const _: () = assert!((EARLIER[0] ^ MAGIC).count_ones() > 2 * MAGIC_FLIPS);
+const _: () = assert!((EARLIER[1] ^ MAGIC).count_ones() > 2 * MAGIC_FLIPS);
 
 /// Whether a word says [`YES`]: most of it does, for bits may have flipped.
 pub(super) const fn says_yes(word: u32) -> bool {
@@ -28,7 +34,7 @@ pub(super) struct SectorHeader {
     magic: u32,
     generation: u32,
     check: u32,
-    confirmed: bool,
+    pub(super) confirmed: bool,
     given_up: bool,
 }
 
@@ -42,17 +48,21 @@ impl SectorHeader {
 
     /// What makes a sector live, in the order in which it is programmed.
     pub(super) fn words_of(generation: u32) -> [u32; 3] {
-        [MAGIC, generation, check_of(generation)]
+        [MAGIC, generation, check_of(MAGIC, generation)]
     }
 
     /// The generation, if the header is whole.
     pub(super) fn generation(self) -> Option<u32> {
-        (self.magic == MAGIC && self.check == check_of(self.generation)).then_some(self.generation)
+        (self.magic == MAGIC && self.check == check_of(MAGIC, self.generation)).then_some(self.generation)
     }
 
-    /// Whether this, which is not whole or not the latest, was one that would count now, `live` being the generation that does.
+    /// Whether this, which is not whole or not the latest, was one that would count now, `live` being the generation that does;
+    /// or is one of an earlier layout, whose values cannot be read any more.
     pub(super) fn was_live(self, live: Option<u32>) -> bool {
-        let is_of = |n: u32| self.check == check_of(n);
+        if EARLIER.contains(&self.magic) && self.check == check_of(self.magic, self.generation) {
+            return true;
+        }
+        let is_of = |n: u32| self.check == check_of(MAGIC, n);
         if let Some(live) = live {
             // The one left behind by the last move, though one of its words may be wrong.
             let (before, after) = (live.wrapping_sub(1), live.saturating_add(1));
@@ -66,10 +76,10 @@ impl SectorHeader {
     }
 }
 
-fn check_of(generation: u32) -> u32 {
+fn check_of(magic: u32, generation: u32) -> u32 {
     let mut bytes = [0; 2 * WORD];
-    let (magic, number) = bytes.split_at_mut(WORD);
-    magic.copy_from_slice(&MAGIC.to_le_bytes());
-    number.copy_from_slice(&generation.to_le_bytes());
+    let (first, second) = bytes.split_at_mut(WORD);
+    first.copy_from_slice(&magic.to_le_bytes());
+    second.copy_from_slice(&generation.to_le_bytes());
     crc32(&bytes)
 }

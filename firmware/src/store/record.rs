@@ -21,7 +21,7 @@ impl RecordHeader {
     const REMOVED: u32 = 1 << 17;
     const CHECK_SHIFT: u32 = 18;
 
-    fn word(self) -> u32 {
+    pub(super) fn word(self) -> u32 {
         let plain =
             u32::from(self.code) | (self.length as u32) << 8 | if self.removed { Self::REMOVED } else { 0 };
         plain | crc32(&plain.to_le_bytes()) << Self::CHECK_SHIFT

@@ -372,6 +372,99 @@ fn a_value_written_again_is_damaged_no_more() {
     assert!(!damage(&mut store).of(Key::Settings));
 }
 
+/// Damaged settings are told over moves, and over power cuts at any step of them.
+#[test]
+fn writing_another_key_mends_nothing() {
+    let mut damaged = Store::new(Mock::new(1));
+    damaged.write(Key::Settings, &[1; 30]).expect("room");
+    damaged.write(Key::Settings, &[2; 30]).expect("room");
+    damaged.flash().sectors[0][HEADER_BYTES + 44 + 10] ^= 1;
+    // The header of the only sector, or of the latest one.
+    let mut first = damaged.clone();
+    first.flash().sectors[0][5] ^= 1;
+    let mut second = damaged.clone();
+    while second.flash().erases < 2 {
+        let n = second.flash().steps as u8;
+        second.write(Key::Vehicle, &[n; 200]).expect("room");
+    }
+    second.flash().sectors[1][5] ^= 1;
+    for mut store in [damaged, first, second] {
+        for n in 0..200 {
+            let before = store.clone();
+            let steps = store.flash().steps;
+            assert!(damage(&mut store).of(Key::Settings), "before write {n}");
+            store.write(Key::Vehicle, &bytes(250, n)).expect("room");
+            assert!(damage(&mut store).of(Key::Settings), "after write {n}");
+            assert!(!damage(&mut store).of(Key::Vehicle), "after write {n}");
+            for cut in 0..store.flash().steps - steps {
+                let mut store = before.clone();
+                store.flash().steps_left = Some(cut);
+                store.write(Key::Vehicle, &bytes(250, n)).expect_err("the power is cut");
+                store.flash().power_up();
+                assert!(damage(&mut store).of(Key::Settings), "write {n} cut at step {cut}");
+            }
+        }
+        for key in Key::ALL.into_iter().filter(|key| *key != Key::Vehicle) {
+            store.remove(key).expect("room");
+        }
+        assert!(!any_damaged(&mut store));
+    }
+}
+
+/// What a cut has left unconfirmed is made good by the next write, of whatever key: from then on a bit that flips in it is told.
+#[test]
+fn what_a_power_cut_left_unconfirmed_is_confirmed_by_the_next_write() {
+    let mut first = Store::new(Mock::new(1));
+    for (begin, key) in [(false, Key::Pairing), (true, Key::Pairing), (true, Key::Vehicle)] {
+        if begin {
+            first.write(Key::Pairing, &[3; 12]).expect("room");
+        }
+        let mut whole = first.clone();
+        let steps = whole.flash().steps;
+        whole.write(Key::Pairing, &[5; 16]).expect("room");
+        for cut in 0..whole.flash().steps - steps {
+            let mut store = first.clone();
+            store.flash().steps_left = Some(cut);
+            store.write(Key::Pairing, &[5; 16]).expect_err("the power is cut");
+            store.flash().power_up();
+            store.write(key, &[5; 16]).expect("the power is back");
+            let known = values(&mut store);
+            for bit in 0..2 * 256 * 8 {
+                let (sector, bit) = (bit / (256 * 8), bit % (256 * 8));
+                store.flash().sectors[sector][bit / 8] ^= 1 << (bit % 8);
+                let told = damage(&mut store).of(Key::Pairing);
+                let right = values(&mut store)[2] == known[2];
+                assert!(told || right, "cut at step {cut}, bit {bit} of sector {sector}");
+                store.flash().sectors[sector][bit / 8] ^= 1 << (bit % 8);
+            }
+        }
+    }
+}
+
+/// What an earlier firmware has laid out otherwise is told, until each key has been written.
+#[test]
+fn an_earlier_layout_is_told() {
+    for magic in [*b"MTS1", *b"MTS2"] {
+        let mut store = Store::new(Mock::new(1));
+        let header = [magic, 7_u32.to_le_bytes()].concat();
+        let check = mintime_shared::crc32(&header).to_le_bytes();
+        // Behind it records, which may read as a confirmation or not.
+        for next in [0x0000_1E01_u32, 0xFFFF_FE01] {
+            let sector = &mut store.flash().sectors[1];
+            sector[..16].copy_from_slice(&[&header[..], &check, &next.to_le_bytes()].concat());
+            assert_eq!(damage(&mut store), Damage::ALL);
+        }
+        assert_eq!(values(&mut store), Values::default());
+        store.write(Key::Vehicle, &[1; 20]).expect("room");
+        assert!(!damage(&mut store).of(Key::Vehicle));
+        for key in &Key::ALL[1..] {
+            assert!(damage(&mut store).of(*key), "{key:?}");
+            store.remove(*key).expect("room");
+        }
+        assert!(!any_damaged(&mut store));
+    }
+}
+
 #[test]
 fn flash_that_holds_nothing_is_told() {
     /// Nothing that is written stays.

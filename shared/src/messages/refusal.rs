@@ -21,8 +21,8 @@ pub enum Refusal {
     /// Not in this state.
     #[error("refused in the state {0:?}")]
     WrongState(FlightState),
-    /// Not armed, for these reasons: bits of [`ArmingBlock`].
-    #[error("arming is refused: {}", ArmingBlock(*.0))]
+    /// Not armed, or not kept, for these reasons: bits of [`ArmingBlock`].
+    #[error("refused: {}", ArmingBlock(*.0))]
     ArmingBlocked(u32),
     /// The table is unusable.
     #[error("the table is refused: {0}")]

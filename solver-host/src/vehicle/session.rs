@@ -84,8 +84,12 @@ impl<L: Link> Session<L> {
             thrust_max_mps2: 0.0,
             rate_max_radps: 0.0,
         };
-        let mut session =
-            Self { link, client: Client::with_key(key), identity, heartbeat_s: f64::NEG_INFINITY };
+        let mut session = Self {
+            link,
+            client: Client::with_key(key).numbered_anew(),
+            identity,
+            heartbeat_s: f64::NEG_INFINITY,
+        };
         session.identify()?;
         if session.identity.paired && key.is_none() {
             return Err(SessionError::KeyWanted);

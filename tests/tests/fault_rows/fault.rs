@@ -15,6 +15,9 @@ use crate::bench::Board;
 const SPARE_RAM: u32 = 0x2001_F000;
 /// Nothing lies there.
 const NOWHERE: u32 = 0x3000_0000;
+/// The store's first sector.
+const STORE: u32 = 0x0800_4000;
+const STORE_BYTES: u32 = 16 * 1024;
 /// The gyro's data-ready pin.
 const DATA_READY: Pin = Pin::new('C', 4);
 /// Where the firmware is made to panic.
@@ -75,6 +78,7 @@ pub(crate) enum Fault {
     PowerCut,
     CutInWrite,
     CutInErase,
+    StoreDecays,
     KillPressed,
     RadioSilent,
     RadioNoisy,
@@ -128,6 +132,7 @@ impl Fault {
             Self::PowerCut => "controller's power cut",
             Self::CutInWrite => "power cut while flash is written",
             Self::CutInErase => "power cut while flash is erased",
+            Self::StoreDecays => "a bit flipped in the store, then a reset",
             Self::KillPressed => "kill switch pressed",
             Self::RadioSilent => "kill switch's receiver silent",
             Self::RadioNoisy => "kill switch's line: a bit flipped in each frame",
@@ -249,6 +254,15 @@ impl Fault {
                 board.peripherals.cut_power(&mut board.memory, 0x1234_5678);
             }
             Self::CutInWrite | Self::CutInErase => {}
+            Self::StoreDecays => {
+                let board = rig.board();
+                let cells = board.memory.peek(STORE, STORE_BYTES).expect("flash");
+                // The last value ends before its checksum and its confirmation.
+                let end = cells.iter().rposition(|byte| *byte != 0xFF).expect("records") + 1;
+                let decayed = cells[end - 12] ^ 1;
+                board.memory.place(STORE + end as u32 - 12, &[decayed]).expect("flash");
+                board.peripherals.request_reset();
+            }
             Self::KillPressed => rig.vehicle.set_kill_switch(true),
             Self::RadioSilent => rig.vehicle.with_receiver(|r| r.defect = CrsfDefect::Silent),
             Self::RadioNoisy => rig.vehicle.with_receiver(|r| r.defect = CrsfDefect::FlippedBit),

@@ -47,6 +47,10 @@ pub(crate) enum Phase {
     Abandon,
     /// A tenth of a second after the setpoints stopped.
     Recovery,
+    /// Down after a recovery.
+    Landed,
+    /// Stopped by its host while idling.
+    Terminated,
 }
 
 impl Phase {
@@ -60,6 +64,8 @@ impl Phase {
             Self::Maneuver => "`Maneuver`",
             Self::Abandon => "`Maneuver` with `Abandon`",
             Self::Recovery => "`Recovery`",
+            Self::Landed => "`Landed`",
+            Self::Terminated => "`Terminated`",
         }
     }
 
@@ -70,6 +76,8 @@ impl Phase {
             Self::Tracking | Self::Low => FlightState::Tracking,
             Self::Maneuver | Self::Abandon => FlightState::Maneuver,
             Self::Recovery => FlightState::Recovery,
+            Self::Landed => FlightState::Landed,
+            Self::Terminated => FlightState::Terminated,
         }
     }
 }
@@ -199,7 +207,7 @@ impl Rig {
 
     /// A fresh vehicle in this phase.
     pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 7] = [const { OnceLock::new() }; 7];
+        static PHASES: [OnceLock<Mutex<Rig>>; 9] = [const { OnceLock::new() }; 9];
         let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
         rig.lock().expect("nobody panics with it").fork()
     }
@@ -210,6 +218,8 @@ impl Rig {
             Phase::Armed | Phase::Abandon => Self::in_phase(Phase::Disarmed),
             Phase::Tracking => Self::in_phase(Phase::Armed),
             Phase::Low | Phase::Maneuver | Phase::Recovery => Self::in_phase(Phase::Tracking),
+            Phase::Landed => Self::in_phase(Phase::Low),
+            Phase::Terminated => Self::in_phase(Phase::Armed),
         };
         rig.go_on(phase);
         assert_eq!(rig.state(), phase.state());
@@ -261,6 +271,14 @@ impl Rig {
             Phase::Recovery => {
                 self.host = Host::Beats;
                 self.pass_ms(200);
+            }
+            Phase::Landed => {
+                self.host = Host::Beats;
+                self.pass_ms(2500);
+            }
+            Phase::Terminated => {
+                self.ask(Request::EmergencyStop).expect("it stops");
+                self.pass_ms(300);
             }
         }
     }
