@@ -82,7 +82,7 @@ impl Board {
         telemetry.expect("telemetry")
     }
 
-    fn ask(&mut self, request: Request) -> Reply {
+    fn ask(&mut self, request: &Request) -> Reply {
         self.number += 1;
         let number = self.number;
         for _ in 0..60 {
@@ -105,7 +105,7 @@ impl Board {
 
     fn acknowledge(&mut self) -> Reply {
         let incident = self.telemetry().incident.expect("an incident waits").number;
-        self.ask(Request::Acknowledge { incident })
+        self.ask(&Request::Acknowledge { incident })
     }
 }
 
@@ -142,14 +142,14 @@ fn damage_is_told_until_the_very_value_is_written_anew() {
     assert_eq!(board.telemetry().incident.map(|i| i.cause), Some(IncidentCause::StoreDamaged));
     let waits = Reply::Refused(Refusal::ArmingBlocked(ArmingBlock::INCIDENT.0));
     let older = Settings { recovery_ms: 900, ..Settings::DEFAULT };
-    assert_eq!(board.ask(Request::ReadSettings), Reply::Settings(older));
+    assert_eq!(board.ask(&Request::ReadSettings), Reply::Settings(older));
     for request in
         [Request::WriteVehicle(VehicleConfig::REFERENCE), Request::WriteSettings(Settings::DEFAULT)]
     {
-        assert_eq!(board.ask(request), waits);
+        assert_eq!(board.ask(&request), waits);
     }
     assert_eq!(board.acknowledge(), Reply::Done);
-    assert_eq!(board.ask(Request::WriteVehicle(VehicleConfig::REFERENCE)), Reply::Done);
+    assert_eq!(board.ask(&Request::WriteVehicle(VehicleConfig::REFERENCE)), Reply::Done);
     // After a reset the damage is told again, also after its sector was given up.
     let mut store = Store::new(board.cells());
     assert!(store.flash().0[1][20..].iter().all(|byte| *byte == 0xFF));
@@ -162,7 +162,7 @@ fn damage_is_told_until_the_very_value_is_written_anew() {
     assert_eq!(board.telemetry().incident.map(|i| i.cause), Some(IncidentCause::StoreDamaged));
     assert_eq!(board.acknowledge(), Reply::Done);
     // What is in force already is written all the same.
-    assert_eq!(board.ask(Request::WriteSettings(older)), Reply::Done);
+    assert_eq!(board.ask(&Request::WriteSettings(older)), Reply::Done);
     assert_eq!(incident(&board.cells()), None);
 }
 
