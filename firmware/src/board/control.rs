@@ -227,8 +227,6 @@ impl Control {
         let status = self.publish();
         self.watch.note(&input, &output, self.vehicle.state(), &status);
         self.move_bytes();
-        // What the rest of the tick has reported or acknowledged is among them.
-        self.keep_incidents();
         self.watch.ticks = self.watch.ticks.wrapping_add(1);
         watchdog::check_in(Party::Control);
         // One writer: no read-modify-write needed.
@@ -378,6 +376,8 @@ impl Control {
     fn move_bytes(&mut self) {
         let room = OUTBOX.free_capacity().min(self.bytes.len());
         let sent = self.vehicle.transmit(self.bytes.get_mut(..room).unwrap_or_default());
+        // What the rest of the tick, done by now, has reported or acknowledged is among them.
+        self.keep_incidents();
         // One writer, and the room was just measured: nothing is cut short. The second write is for the wrap.
         let mut rest = self.bytes.get(..sent.min(room)).unwrap_or_default();
         for _ in 0..2 {
