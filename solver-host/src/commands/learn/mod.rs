@@ -131,15 +131,17 @@ impl Learn {
         } else {
             print(&words::text(&learned, campaign.kept.is_ok().then_some(campaign.folder.as_path()), page));
         }
+        // The answer has been printed whole: what could not be kept is told beside it.
         if let Err(error) = &campaign.kept {
-            // The answer has been printed whole.
             eprintln!("mintime: {error}");
         }
-        written.transpose()?;
+        if let Some(Err(error)) = &written {
+            eprintln!("mintime: {error}");
+        }
         if !learned.history.converged {
             eprintln!("mintime: {}", learned.stop);
         }
-        Ok(learned.history.converged && campaign.kept.is_ok())
+        Ok(learned.history.converged && campaign.kept.is_ok() && !matches!(written, Some(Err(_))))
     }
 
     /// Writes the page: what was learned, and the last flight.
