@@ -195,8 +195,8 @@ pub(super) const MOTOR_TIMER: pac::timer::TimGp16 = pac::TIM4;
 /// The motors' frame begins this long after the gyro's edge, whatever the tick took, µs: constant latency is worth more
 /// than a few microseconds less. On the virtual board, with pessimistic timing of the processor and its buses, the frame is
 /// ready before that in every tick of a flight, a maneuver's first one and a saturated link included; with 26.7 µs for the
-/// frame its last bit ends at 98.3.
-pub(super) const MOTOR_START_US: u32 = 71;
+/// frame its last bit ends at 99.3.
+pub(super) const MOTOR_START_US: u32 = 72;
 /// Function of the motor pins that connects them to it.
 pub(super) const MOTOR_ALTERNATE_FUNCTION: u8 = 2;
 /// Stream of DMA1 that serves the timer's updates, ...
