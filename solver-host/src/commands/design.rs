@@ -85,7 +85,7 @@ impl Design {
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
             },
-            |()| ExitCode::SUCCESS,
+            |written| if written { ExitCode::SUCCESS } else { ExitCode::FAILURE },
         )
     }
 
@@ -107,7 +107,8 @@ impl Design {
         })
     }
 
-    fn study(&self) -> Result<(), Box<dyn Error>> {
+    /// Whether all was written.
+    fn study(&self) -> Result<bool, Box<dyn Error>> {
         for path in &self.output {
             if is_csv(path) { check_writable(path)? } else { check_picture(path).map_err(with_csv)? }
         }
@@ -116,15 +117,29 @@ impl Design {
         let clock = std::time::Instant::now();
         let study = question.study()?;
         let wall_time_s = clock.elapsed().as_secs_f64();
+        let mut written = Vec::new();
+        let mut failed = Vec::new();
         for path in &self.output {
-            if is_csv(path) { write_text(path, &study.csv())? } else { study.write_picture(path)? }
+            let outcome: Result<(), Box<dyn Error>> = if is_csv(path) {
+                write_text(path, &study.csv()).map_err(Into::into)
+            } else {
+                study.write_picture(path).map_err(Into::into)
+            };
+            match outcome {
+                Ok(()) => written.push(path.clone()),
+                Err(error) => failed.push(error),
+            }
         }
+        // The answer comes first, whatever became of the files.
         if self.json {
-            print(&format!("{:#}", summary(&study, &self.output, wall_time_s)));
+            print(&format!("{:#}", summary(&study, &written, wall_time_s)));
         } else {
-            print(&text(&study, &self.output));
+            print(&text(&study, &written));
         }
-        Ok(())
+        for error in &failed {
+            eprintln!("mintime: {error}");
+        }
+        Ok(failed.is_empty())
     }
 }
 

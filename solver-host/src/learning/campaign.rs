@@ -148,6 +148,10 @@ struct Learner<'a> {
     trust: f64,
 }
 
+/// A table that misses by more than this many tolerances is not flown again for its statistics: known to miss, it would
+/// only miss again, perhaps the room.
+const WORTH_REPEATING: f64 = 3.0;
+
 struct Best {
     parameters: Parameters,
     error: StateError,
@@ -181,11 +185,12 @@ pub fn learn(
         trust: 1.0,
     };
     let stop = learner.teach(&mut history, budget.flights, flyer, observer);
+    let near = learner.best.as_ref().is_some_and(|best| best.error.in_tolerances() <= WORTH_REPEATING);
     let table = learner.best.map_or_else(|| plan.table.clone(), |best| best.table);
     history.converged = stop == StopReason::Converged;
     history.reason = Some(stop.to_string());
     observer.flown(&history, &table);
-    if !matches!(stop, StopReason::Lost(_)) && history.best.is_some() {
+    if near && !matches!(stop, StopReason::Lost(_)) {
         for repeat in 1..=budget.repeats {
             let number = history.flights.len() as u32 + repeat;
             let flown = flyer.fly(&table, number);

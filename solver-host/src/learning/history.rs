@@ -220,18 +220,14 @@ pub fn check_folder(folder: &Path) -> Result<(), HistoryError> {
     Ok(crate::flight_log::check_writable(&folder.join(TABLE_FILE))?)
 }
 
-/// Gives an earlier history in a folder another name, with its table: a campaign replaces nobody's work.
+/// Gives an earlier history in a folder another name, and an earlier table likewise: a campaign replaces nobody's work.
 ///
 /// # Errors
 /// [`HistoryError`].
 pub fn keep_old(folder: &Path) -> Result<(), HistoryError> {
     let named = |stem: &str, number: u32, ending: &str| folder.join(format!("{stem}-{number}.{ending}"));
-    if !folder.join(HISTORY_FILE).exists() {
-        return Ok(());
-    }
-    let Some(number) = (1..=u32::MAX).find(|n| !named("history", *n, "json").exists()) else {
-        return Ok(());
-    };
+    let free = |n: &u32| !named("history", *n, "json").exists() && !named("best", *n, "table").exists();
+    let Some(number) = (1..=u32::MAX).find(free) else { return Ok(()) };
     for (from, to) in [
         (folder.join(HISTORY_FILE), named("history", number, "json")),
         (folder.join(TABLE_FILE), named("best", number, "table")),

@@ -13,7 +13,7 @@ use mintime::benchmark::{
     Arrival, Gains, Goal, Grid, Rules, Score, Tolerance, map_linear, read, score, score_linear,
 };
 use mintime::flight_log::check_writable;
-use mintime::report::{self, benchmark as pictures};
+use mintime::report::{self, ReportError, benchmark as pictures};
 use mintime_shared::model::GRAVITY_MPS2;
 
 use super::fly::distinct;
@@ -168,9 +168,9 @@ impl Benchmark {
                     // What the reader met may be why there is no score.
                     flight.remarks.iter().for_each(|remark| eprintln!("mintime: note: {remark}"));
                 })?;
-                self.show(&score, &name, None)?;
+                Ok(self.show(&score, &name, None))
             }
-            (None, Some(Controller::Linear)) if self.map => return self.map(&rules),
+            (None, Some(Controller::Linear)) if self.map => self.map(&rules),
             (None, _) => {
                 let gains = self.gains();
                 let Some([x_m, z_m]) = self.to.and_then(|to| to.planar_rest()) else {
@@ -179,10 +179,9 @@ impl Benchmark {
                     );
                 };
                 let score = score_linear(&gains, &rules, x_m, z_m)?;
-                self.show(&score, "linear controller", Some(&gains))?;
+                Ok(self.show(&score, "linear controller", Some(&gains)))
             }
         }
-        Ok(ExitCode::SUCCESS)
     }
 
     fn rules(&self) -> Rules {
@@ -216,21 +215,34 @@ impl Benchmark {
         })
     }
 
-    fn show(&self, score: &Score, name: &str, gains: Option<&Gains>) -> Result<(), Box<dyn Error>> {
-        if let Some(path) = &self.output {
-            if is_csv(path) {
-                write_text(path, &page::csv(score))?;
-            } else {
+    fn show(&self, score: &Score, name: &str, gains: Option<&Gains>) -> ExitCode {
+        let written = self.write(
+            || page::csv(score),
+            |path| {
                 let title = format!("{name}: T / T* = {:.3}", score.score);
-                pictures::write_score(score, &title, &[page::subtitle(score)], path)?;
-            }
-        }
+                pictures::write_score(score, &title, &[page::subtitle(score)], path)
+            },
+        );
+        let output = self.output.as_deref().filter(|_| written.is_ok());
         print(&if self.json {
-            format!("{:#}", page::json(score, self.log.as_deref(), gains, self.output.as_deref()))
+            format!("{:#}", page::json(score, self.log.as_deref(), gains, output))
         } else {
-            page::text(score, self.output.as_deref())
+            page::text(score, output)
         });
-        Ok(())
+        told(written)
+    }
+
+    /// Writes the output, if one was asked for: what it is asked for decides the ending.
+    fn write(
+        &self,
+        csv: impl Fn() -> String,
+        picture: impl Fn(&Path) -> Result<(), ReportError>,
+    ) -> Result<(), Box<dyn Error>> {
+        match &self.output {
+            Some(path) if is_csv(path) => Ok(write_text(path, &csv())?),
+            Some(path) => Ok(picture(path)?),
+            None => Ok(()),
+        }
     }
 
     fn map(&self, rules: &Rules) -> Result<ExitCode, Box<dyn Error>> {
@@ -257,27 +269,35 @@ impl Benchmark {
         let wall_time_s = clock.elapsed().as_secs_f64();
         bar.finish_and_clear();
         let summary = page::MapSummary::new(&map, wall_time_s);
-        if let Some(path) = &self.output {
-            if is_csv(path) {
-                write_text(path, &map.csv())?;
-            } else {
+        let written = self.write(
+            || map.csv(),
+            |path| {
                 let title = "Linear feedback against the fastest maneuver, from rest to rest";
-                pictures::write_map(&map, title, &page::map_subtitle(&gains, rules, &summary), path)?;
-            }
-        }
-        print(&if self.json {
-            format!("{:#}", summary.json(&gains, self.output.as_deref()))
-        } else {
-            summary.text(self.output.as_deref())
-        });
+                pictures::write_map(&map, title, &page::map_subtitle(&gains, rules, &summary), path)
+            },
+        );
+        let output = self.output.as_deref().filter(|_| written.is_ok());
+        print(&if self.json { format!("{:#}", summary.json(&gains, output)) } else { summary.text(output) });
+        let kept = told(written);
         if summary.failed > 0 {
             eprintln!("mintime: {} points have no score; in a .csv their lines say why", summary.failed);
             return Ok(ExitCode::FAILURE);
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(kept)
     }
 }
 
 fn is_csv(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+}
+
+/// Tells what could not be written, after the answer.
+fn told(written: Result<(), Box<dyn Error>>) -> ExitCode {
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("mintime: {error}");
+            ExitCode::FAILURE
+        }
+    }
 }

@@ -114,7 +114,6 @@ impl Learn {
         check_folder(&folder)?;
         let page = self.page.clone().unwrap_or_else(|| folder.join(PAGE_FILE));
         page::check(&page)?;
-        keep_old(&folder)?;
         let mut progress = Progress::new();
         let mut campaign = Campaign { learn: self, target, maneuver, folder, kept: Ok(()), last: None };
         let learned = match &self.vehicle {
@@ -305,7 +304,7 @@ impl Campaign<'_> {
         let mut history = History::of(&self.maneuver, learn.vehicle.name(), seed);
         history.identified = Some(found);
         let budget = Budget { flights: learn.flights, repeats: learn.repeats };
-        let mut keeper = Keeper { folder: &self.folder, voice, kept: Ok(()), seen: 0 };
+        let mut keeper = Keeper { folder: &self.folder, voice, kept: Ok(()), seen: 0, shelved: false };
         let learned = mintime::learning::learn(plan, history, budget, flyer, &mut keeper);
         self.kept = keeper.kept;
         learned
@@ -328,6 +327,18 @@ struct Keeper<'a> {
     kept: Result<(), HistoryError>,
     /// Flights that have been told of.
     seen: usize,
+    /// Whether what an earlier campaign left has made room: not before there is something new to keep.
+    shelved: bool,
+}
+
+impl Keeper<'_> {
+    fn keep(&mut self, history: &History, table: &ManeuverTable) -> Result<(), HistoryError> {
+        if !self.shelved {
+            keep_old(self.folder)?;
+            self.shelved = true;
+        }
+        history.save(self.folder, &bytes(table))
+    }
 }
 
 impl Observer for Keeper<'_> {
@@ -337,7 +348,7 @@ impl Observer for Keeper<'_> {
             self.seen = count;
             self.voice.line(&words::newest(history));
         }
-        let kept = history.save(self.folder, &bytes(table));
+        let kept = self.keep(history, table);
         // A disk that is full now may not be so after the next flight; the history grows on in memory.
         if let (Ok(()), Err(error)) = (&self.kept, &kept) {
             self.voice.line(&format!("{error}; flying on, and trying again after the next flight"));
