@@ -129,3 +129,25 @@ fn what_cannot_be_learned_is_refused_in_a_sentence() {
         assert!(answer["reason"].as_str().is_some_and(|reason| reason.contains(told)), "{answer}");
     }
 }
+
+/// A table that lies in the folder without a history is somebody's work, too; and a campaign that never flew takes nothing away.
+#[test]
+fn what_was_kept_makes_room_for_something_new_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir(folder.path().join("kept")).expect("a folder");
+    std::fs::write(folder.path().join("kept/best.table"), "of an earlier day").expect("written");
+    std::fs::write(folder.path().join("weak.toml"), "[rotors]\nthrust_coefficient_ns2 = 0.6e-6")
+        .expect("written");
+    let learn = ["learn", "--to", "0,4", "--vehicle", "hosted", "--output", "kept", "--json"];
+    let weak = mintime(folder.path(), &[&learn[..], &["--plant", "weak.toml"]].concat());
+    assert!(!weak.status.success());
+    assert_eq!(read(folder.path(), "kept/best.table"), b"of an earlier day");
+
+    // One flight ends too far away to be worth a repeat.
+    let output = mintime(folder.path(), &[&learn[..], &["--flights", "1"]].concat());
+    let answer = json(&output);
+    assert_eq!(answer["flights"].as_array().expect("flights").len(), 1);
+    assert!(answer["repeats"].as_array().expect("repeats").is_empty(), "{answer}");
+    assert_eq!(read(folder.path(), "kept/best-1.table"), b"of an earlier day");
+    assert!(read(folder.path(), "kept/best.table").len() > 50);
+}
