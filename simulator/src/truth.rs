@@ -70,6 +70,12 @@ impl Truth {
         }
     }
 
+    /// Distance to the left of the vertical plane of a heading through the world's origin, m, and its rate, m/s.
+    pub fn across(&self, heading_rad: f64) -> [f64; 2] {
+        let (sin, cos) = libm::sincos(heading_rad);
+        [self.position_m, self.velocity_mps].map(|v| v[1] * cos - v[0] * sin)
+    }
+
     /// Angle between the body z axis and the vertical, rad, 0 to π.
     pub fn tilt_rad(&self) -> f64 {
         let [x, y, z] = thrust_axis(self.attitude);

@@ -357,7 +357,7 @@ pub struct Flown {
     pub wall_time_s: f64,
 }
 
-/// Truth less plan, at one instant, in the maneuver's plane. SI units.
+/// Truth less plan, at one instant, in the maneuver's plane and across it. SI units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PlanarError {
     /// Position along the heading.
@@ -372,6 +372,10 @@ pub struct PlanarError {
     pub theta_rad: f64,
     /// Pitch rate. Plans begin at rest and end turning, often at the limit.
     pub pitch_rate_radps: f64,
+    /// Position out of the plane, to the left of the heading.
+    pub y_m: f64,
+    /// Velocity out of the plane.
+    pub vy_mps: f64,
 }
 
 /// Rate of turn in the plane of a heading in the body frame, rad/s.
@@ -380,10 +384,16 @@ pub fn rate_in_plane([roll, pitch, _]: [f64; 3], heading_rad: f64) -> f64 {
 }
 
 impl PlanarError {
-    fn new(difference: State<f64>, truth: &Truth, planned_rate_radps: f64, heading_rad: f64) -> Self {
+    fn new(
+        difference: State<f64>,
+        [y_m, vy_mps]: [f64; 2],
+        truth: &Truth,
+        planned_rate_radps: f64,
+        heading_rad: f64,
+    ) -> Self {
         let State { x, vx, z, vz, theta } = difference;
         let pitch_rate_radps = rate_in_plane(truth.rates_radps, heading_rad) - planned_rate_radps;
-        Self { x_m: x, vx_mps: vx, z_m: z, vz_mps: vz, theta_rad: theta, pitch_rate_radps }
+        Self { x_m: x, vx_mps: vx, z_m: z, vz_mps: vz, theta_rad: theta, pitch_rate_radps, y_m, vy_mps }
     }
 }
 
@@ -395,20 +405,25 @@ impl Flown {
         let origin = State { x: planned.x, z: planned.z, ..State::origin() };
         let heading_rad = self.heading_rad();
         let difference = truth.planar(heading_rad).minus(planned.minus(origin));
-        Some(PlanarError::new(difference, truth, 0.0, heading_rad))
+        Some(PlanarError::new(difference, truth.across(heading_rad), truth, 0.0, heading_rad))
     }
 
     /// Truth when the table's time had passed less the planned end, positions relative to the true start.
     pub fn final_error(&self) -> Option<PlanarError> {
+        self.final_error_along(self.heading_rad())
+    }
+
+    /// The same for a planned end in the direction of another heading than the table's, rad.
+    pub fn final_error_along(&self, heading_rad: f64) -> Option<PlanarError> {
         let (start, end) = (self.trace.start.as_ref()?, self.trace.end.as_ref()?);
         let table = &self.prepared.table;
-        let began = start.planar(self.heading_rad());
+        let began = start.planar(heading_rad);
         let planned = table.end.cast::<f64>();
         let from = table.start.cast::<f64>();
         // θ counts from where the vehicle's own turn counter stood at the start, in whole turns.
         let turn = core::f64::consts::TAU;
         let counted = ((began.theta - from.theta) / turn).round() * turn;
-        let flown = end.planar(self.heading_rad());
+        let flown = end.planar(heading_rad);
         let relative = State {
             x: flown.x - began.x - (planned.x - from.x),
             vx: flown.vx - planned.vx,
@@ -416,7 +431,8 @@ impl Flown {
             vz: flown.vz - planned.vz,
             theta: flown.theta - counted - planned.theta,
         };
-        Some(PlanarError::new(relative, end, self.final_rate_radps(), self.heading_rad()))
+        let ([y0, _], [y, vy]) = (start.across(heading_rad), end.across(heading_rad));
+        Some(PlanarError::new(relative, [y - y0, vy], end, self.final_rate_radps(), heading_rad))
     }
 
     /// How it went, in one word: that of [`FlightResult::outcome`], `lost` for a flight that failed, `crashed` where the

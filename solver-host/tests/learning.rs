@@ -2,9 +2,10 @@
 //! cannot succeed, and simulated vehicles that do.
 
 use mintime::learning::{
-    Budget, CorrectionError, FlightFailure, Flown, Flyer, History, IdentifiedResponse, Observed, Observer,
-    Parameters, PlanError, Response, SimulatedFlyer, SimulatedVehicle, StateError, StatisticsPlan,
-    StopReason, Target, Unseen, airframe, correct, effect_of_start, learn, plan, statistics, target,
+    Across, Budget, CorrectionError, FlightFailure, Flown, Flyer, History, IdentifiedResponse, Learned,
+    Observed, Observer, Parameters, PlanError, Response, SimulatedFlyer, SimulatedVehicle, StateError,
+    StatisticsPlan, StopReason, Target, Unseen, airframe, correct, effect_of_start, learn, plan, statistics,
+    target,
 };
 use mintime::mission::VehicleChoice;
 use mintime::pack::pack;
@@ -232,10 +233,13 @@ impl<F: FnMut(&ManeuverTable, u32) -> Result<StateError, FlightFailure>> Flyer f
             observed: Observed {
                 start_error: StateError::default(),
                 final_error,
+                across: Across::default(),
+                across_from_start_m: 0.0,
                 began_s: 0.0,
                 timing_residual_rad: 0.0,
             },
             true_final_error: None,
+            true_across: None,
             outcome: "completed",
         })
     }
@@ -343,6 +347,7 @@ fn motion_capture_and_gyro_see_the_end_as_it_was() {
         seed: 4,
         room: None,
         response: Response::identified(&AS_FILE),
+        heading_rad: 0.0,
     };
     for (dx, dz) in MANEUVERS {
         let plan = plan(&to(dx, dz), &VehicleConfig::REFERENCE, &AS_FILE).expect("a plan");
@@ -353,10 +358,73 @@ fn motion_capture_and_gyro_see_the_end_as_it_was() {
         let truth = flown.true_final_error.expect("simulated");
         let off = flown.observed.final_error.minus(&truth);
         assert!(off.position_m() < 2e-3, "({dx}, {dz}): {off:?}");
+        let across = flown.true_across.expect("simulated");
+        assert!(
+            (flown.observed.across.y_m - across.y_m).abs() < 2e-3 && across.y_m != 0.0,
+            "({dx}, {dz}): {flown:?}"
+        );
         assert!(off.velocity_mps() < 0.05, "({dx}, {dz}): {off:?}");
         assert!(off.theta_rad.abs() < 5e-3, "({dx}, {dz}): {off:?}");
         assert!(flown.observed.start_error.theta_rad.abs() < 3e-3, "{flown:?}");
     }
+}
+
+/// A vehicle that answers as the model does and whose nose is not where its gyro has it.
+struct Askew {
+    response: Response,
+    by_rad: f64,
+}
+
+impl Flyer for Askew {
+    fn fly(&mut self, table: &ManeuverTable, _: u32) -> Result<Flown, FlightFailure> {
+        let off_rad = f64::from(table.heading_rad) - 0.3 + self.by_rad;
+        let along_m = f64::from(table.end.x - table.start.x);
+        Ok(Flown {
+            observed: Observed {
+                start_error: StateError::default(),
+                final_error: end_on(&self.response, table),
+                // 2 cm of it are the start's.
+                across: Across { y_m: along_m * off_rad + 0.02, vy_mps: 0.0 },
+                across_from_start_m: 0.02,
+                began_s: 0.0,
+                timing_residual_rad: 0.0,
+            },
+            true_final_error: None,
+            true_across: None,
+            outcome: "completed",
+        })
+    }
+}
+
+#[test]
+fn the_heading_makes_up_for_an_askew_gyro_where_the_way_is_long_enough() {
+    let learned = |dx: f64, dz: f64, by_rad: f64| {
+        let target = Target::Solve {
+            to: State::at_rest(dx, dz),
+            limits: Limits::TABLE_I,
+            turns: Turns::Any,
+            heading_rad: 0.3,
+        };
+        let plan = plan(&target, &VehicleConfig::REFERENCE, &AS_FILE).expect("a plan");
+        let mut vehicle = Askew { response: plan.response, by_rad };
+        let history = History::of("askew", "scripted", None);
+        learn(&plan, history, Budget { flights: 10, repeats: 1 }, &mut vehicle, &mut Watching::default())
+    };
+    for (dx, dz) in [(5.0, 5.0), (15.0, 0.0), (-3.0, 0.0)] {
+        let Learned { history, table, stop } = learned(dx, dz, 0.04);
+        assert_eq!(stop, StopReason::Converged, "({dx}, {dz})");
+        assert_eq!(history.heading_rad, 0.3);
+        assert!((f64::from(table.heading_rad) - 0.26).abs() < 0.005, "({dx}, {dz}): {}", table.heading_rad);
+        let repeat = history.repeats[0].systematic_across_m.expect("seen");
+        assert!(repeat.abs() < 0.03, "({dx}, {dz}): {repeat}");
+    }
+    // A way straight up is turned by nothing, and does not wait for it.
+    let Learned { table, stop, .. } = learned(0.0, 4.0, 0.04);
+    assert_eq!((stop, table.heading_rad), (StopReason::Converged, 0.3));
+    // So far askew no gyro sits.
+    let Learned { table, stop, .. } = learned(5.0, 5.0, 0.2);
+    assert!(matches!(stop, StopReason::NotConverging { .. }), "{stop:?}");
+    assert!((f64::from(table.heading_rad) - 0.3).abs() < 0.1 + 1e-6);
 }
 
 #[test]

@@ -24,6 +24,7 @@ fn the_image_learns_a_flip_with_a_tenth_less_thrust() {
         seed: 7,
         room: None,
         response: Response::IDEAL,
+        heading_rad: 0.0,
     };
     let found = vehicle.identify(&mut Unseen).expect("enough data");
     assert!((found.thrust_scale - 0.9).abs() < 0.03, "{found:?}");

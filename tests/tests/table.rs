@@ -105,15 +105,17 @@ fn led_to(header: &TableHeader, arcs: Option<ArcProfile>, segments: &[Segment<f3
     })
 }
 
+// proptest 1.12 panics now and then in a range of floats whose bound next to zero is no multiple of the other one's last bit, so
+// those bounds are binary fractions.
 prop_compose! {
-    fn limits()(min in 0.1f32..9.0, max in 10.5f32..30.0, rate in 1.0f32..12.0) -> Limits<f32> {
+    fn limits()(min in 0.125f32..9.0, max in 10.5f32..30.0, rate in 1.0f32..12.0) -> Limits<f32> {
         Limits { thrust_min_mps2: min, thrust_max_mps2: max, rate_max_radps: rate, gravity_mps2: 9.81 }
     }
 }
 
 fn segment() -> impl Strategy<Value = Segment<f32>> {
     let rate = prop_oneof![Just(RateMode::Plus), Just(RateMode::Minus), Just(RateMode::Singular)];
-    (rate, any::<bool>(), 1e-4f32..0.15).prop_map(|(rate, max, duration)| {
+    (rate, any::<bool>(), 1.0 / 8192.0..0.15f32).prop_map(|(rate, max, duration)| {
         // An arc is never at the lowest thrust.
         let max = max || rate == RateMode::Singular;
         let thrust = if max { ThrustLevel::Max } else { ThrustLevel::Min };
@@ -129,7 +131,7 @@ prop_compose! {
         kind in prop_oneof![Just(Kind::Extremal), Just(Kind::Retimed), Just(Kind::Learned)],
         heading_rad in -3.0f32..3.0,
         start in prop::array::uniform5(-3.0f32..3.0),
-        wider in 1.01f32..20.0,
+        wider in 1.0078125f32..20.0,
         left in any::<bool>(),
         peak_s in -1.0f32..3.0,
         segments in prop::collection::vec(segment(), 1..=MAX_SEGMENTS),
@@ -162,7 +164,7 @@ proptest! {
 
     /// A stated end away from where the segments lead is refused, except within the slack of its kind.
     #[test]
-    fn a_wrong_end_is_refused(table in valid_table(), component in 0usize..5, off in 0.02f32..2.0, down in any::<bool>()) {
+    fn a_wrong_end_is_refused(table in valid_table(), component in 0usize..5, off in 0.0234375f32..2.0, down in any::<bool>()) {
         let (mut header, arcs, segments) = taken_apart(&table);
         let mut end = header.end.to_array();
         end[component] += if down { -off } else { off };
@@ -228,7 +230,7 @@ proptest! {
     /// 1/|width| where the arc holds its peak time.
     #[test]
     fn an_arc_through_its_peak_is_judged_by_its_width(
-        exponent in -30.0f64..1.0, left in any::<bool>(), part in 0.01f32..0.99, before in 0.0f32..0.5, duration in 0.05f32..0.3,
+        exponent in -30.0f64..1.0, left in any::<bool>(), part in 0.0078125f32..0.99, before in 0.0f32..0.5, duration in 0.0625f32..0.3,
     ) {
         let width_s = (10f64.powf(exponent) as f32) * if left { -1.0 } else { 1.0 };
         let limits: Limits<f32> = Limits::TABLE_I.cast();

@@ -135,10 +135,12 @@ struct Summary {
     good: usize,
     /// Median and most flights until learning ended.
     flights: [f64; 2],
-    /// Median and most flights until one ended within the tolerances.
+    /// Median and most flights until one ended within the tolerances; infinite where none did.
     first_within: [f64; 2],
     /// Greatest over the vehicles of the repeats' mean distance, speed and angle.
     worst_mean: [f64; 3],
+    /// Greatest over the vehicles of the repeats' mean distance (m) and speed (m/s) out of the maneuver's plane.
+    worst_across: [f64; 2],
     /// Root of the mean square over the vehicles of the scatter's distance, speed and angle.
     scatter: Option<[f64; 3]>,
     /// Greatest duration over the optimum.
@@ -175,6 +177,7 @@ fn summary(maneuver: &'static str, cases: &[Case]) -> Summary {
         flights: median_and_most(histories().map(|h| h.flights.len() as f64).collect()),
         first_within: median_and_most(histories().map(first).collect()),
         worst_mean: [worst(0), worst(1), worst(2)],
+        worst_across: [0, 1].map(|i| cases.iter().filter_map(|c| c.across).map(|a| a[i]).fold(0.0, f64::max)),
         scatter: (!scatters.is_empty()).then(|| [rms(0), rms(1), rms(2)]),
         duration_ratio: cases.iter().filter_map(|c| c.duration_ratio()).fold(0.0, f64::max),
         gradient: (!gradients.is_empty())
@@ -201,30 +204,37 @@ fn table(cases: &[Case]) -> String {
             THRUST_ERROR * 100.0
         ),
         String::new(),
-        "| maneuver | good | flights until learned | until first within | worst mean of the repeats | scatter, rms | T/T* at most | \
-         policy gradient | fixed inverse |"
+        "| maneuver | good | flights until learned | until first within | worst mean of the repeats | of it out of the plane | scatter, rms | \
+         T/T* at most | policy gradient | fixed inverse |"
             .to_owned(),
-        "|---|---|---|---|---|---|---|---|---|".to_owned(),
+        "|---|---|---|---|---|---|---|---|---|---|".to_owned(),
     ];
+    // Infinite where none arrived.
+    let count = |flights: f64| if flights.is_finite() { format!("{flights}") } else { "never".to_owned() };
     let three = |[p, v, a]: [f64; 3]| format!("{:.1} cm, {v:.3} m/s, {a:.4} rad", p * 100.0);
     for s in summaries(cases) {
         lines.push(format!(
-            "| {} | {} of {} | {}, {} | {}, {} | {} | {} | {:.3} | {} | {} |",
+            "| {} | {} of {} | {}, {} | {}, {} | {} | {:.1} cm, {:.3} m/s | {} | {:.3} | {} | {} |",
             s.maneuver,
             s.good,
             s.vehicles,
-            s.flights[0],
-            s.flights[1],
-            s.first_within[0],
-            s.first_within[1],
+            count(s.flights[0]),
+            count(s.flights[1]),
+            count(s.first_within[0]),
+            count(s.first_within[1]),
             three(s.worst_mean),
+            s.worst_across[0] * 100.0,
+            s.worst_across[1],
             s.scatter.map_or_else(|| "–".to_owned(), three),
             s.duration_ratio,
             s.gradient.map_or_else(
                 || "–".to_owned(),
                 |(n, best)| format!("{n} of {}; best {best:.1} tolerances", s.vehicles)
             ),
-            s.inverse.map_or_else(|| "–".to_owned(), |(n, f)| format!("{n} of {}; {f} flights", s.vehicles)),
+            s.inverse.map_or_else(
+                || "–".to_owned(),
+                |(n, f)| format!("{n} of {}; {} flights", s.vehicles, count(f))
+            ),
         ));
     }
     lines.join("\n")

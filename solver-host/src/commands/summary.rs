@@ -138,7 +138,8 @@ pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String
 
 fn error_line(e: &PlanarError) -> String {
     format!(
-        "x {:+.4} m, z {:+.4} m, vx {:+.4} m/s, vz {:+.4} m/s, pitch {:+.4} rad, pitch rate {:+.2} rad/s",
-        e.x_m, e.z_m, e.vx_mps, e.vz_mps, e.theta_rad, e.pitch_rate_radps
+        "x {:+.4} m, z {:+.4} m, vx {:+.4} m/s, vz {:+.4} m/s, pitch {:+.4} rad, pitch rate {:+.2} rad/s, \
+         out of the plane {:+.4} m",
+        e.x_m, e.z_m, e.vx_mps, e.vz_mps, e.theta_rad, e.pitch_rate_radps, e.y_m
     )
 }

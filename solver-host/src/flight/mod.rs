@@ -50,7 +50,7 @@ const GATE_TIMEOUT_S: f64 = 20.0;
 /// At the gate the vehicle is where it should be within this, m.
 const GATE_POSITION_M: f64 = 0.05;
 /// Where the nose points all flight long, rad from world x: maneuvers go in any direction without yaw.
-const HEADING_RAD: f64 = 0.0;
+pub const HEADING_RAD: f64 = 0.0;
 /// Speed of take-off, m/s.
 const CLIMB_MPS: f64 = 1.0;
 /// Speed of landing, m/s, ...

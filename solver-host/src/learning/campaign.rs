@@ -4,10 +4,10 @@ use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 use nalgebra::DMatrix;
 
 use super::correction::{CorrectionError, correct};
-use super::history::{FlightEntry, History, StateError};
+use super::history::{Across, FlightEntry, History, POSITION_TOLERANCE_M, StateError};
 use super::model::Response;
 use super::observation::{Observed, effect_of_start};
-use super::parameters::Parameters;
+use super::parameters::{Parameters, TURNED_FROM_M};
 use super::plan::LearningPlan;
 
 /// Learned: this near the end, in tolerances, ...
@@ -34,6 +34,8 @@ pub struct Flown {
     pub observed: Observed,
     /// The final error by the simulator's truth.
     pub true_final_error: Option<StateError>,
+    /// How far out of the plane it ended by the simulator's truth.
+    pub true_across: Option<Across>,
     /// `completed` or `not-caught`.
     pub outcome: &'static str,
 }
@@ -108,7 +110,10 @@ pub enum StopReason {
     #[error(transparent)]
     Correction(#[from] CorrectionError),
     /// The correction makes a table that no vehicle takes.
-    #[error("the next correction would make a table that the vehicle refuses: {0}")]
+    #[error(
+        "the next correction would make a table that the vehicle refuses: {0}; the best table is kept: go on from there, or plan \
+         with lower limits"
+    )]
     Table(#[from] TableError),
     /// Flights fail.
     #[error("{FAILED_FLIGHTS} flights in a row were not flown to their end; the last one: {0}")]
@@ -152,9 +157,26 @@ struct Learner<'a> {
 /// only miss again, perhaps the room.
 const WORTH_REPEATING: f64 = 3.0;
 
+/// Where a flight ended, less what its start explains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Miss {
+    /// In the plane.
+    error: StateError,
+    /// Out of it, to the left, m; zero where no heading would change that.
+    across_m: f64,
+}
+
+impl Miss {
+    /// The largest of distance, speed and angle, each in units of its tolerance.
+    fn in_tolerances(&self) -> f64 {
+        let distance_m = self.error.position_m().hypot(self.across_m);
+        self.error.in_tolerances().max(distance_m / POSITION_TOLERANCE_M)
+    }
+}
+
 struct Best {
     parameters: Parameters,
-    error: StateError,
+    miss: Miss,
     table: ManeuverTable,
     flight: usize,
 }
@@ -168,6 +190,7 @@ pub fn learn(
     flyer: &mut impl Flyer,
     observer: &mut impl Observer,
 ) -> Learned {
+    history.heading_rad = plan.heading_rad;
     history.planned_duration_s = plan.planned_duration_s;
     history.optimum_duration_s = plan.optimum_duration_s;
     history.learned_duration_s = f64::from(plan.table.duration_s());
@@ -185,7 +208,7 @@ pub fn learn(
         trust: 1.0,
     };
     let stop = learner.teach(&mut history, budget.flights, flyer, observer);
-    let near = learner.best.as_ref().is_some_and(|best| best.error.in_tolerances() <= WORTH_REPEATING);
+    let near = learner.best.as_ref().is_some_and(|best| best.miss.in_tolerances() <= WORTH_REPEATING);
     let table = learner.best.map_or_else(|| plan.table.clone(), |best| best.table);
     history.converged = stop == StopReason::Converged;
     history.reason = Some(stop.to_string());
@@ -223,8 +246,7 @@ impl Learner<'_> {
             let mut stop = match &flown {
                 Ok(flown) => {
                     failed = 0;
-                    let error = systematic(flown, &table);
-                    self.take(error, &table, history.flights.len())
+                    self.take(flown, &table, history.flights.len())
                 }
                 Err(FlightFailure::Lost { reason }) => Some(StopReason::Lost(reason.clone())),
                 Err(FlightFailure::Broken { reason, .. }) => {
@@ -252,18 +274,19 @@ impl Learner<'_> {
                 return stop;
             }
         }
-        let best = self.best.as_ref().map_or(f64::INFINITY, |best| best.error.in_tolerances());
+        let best = self.best.as_ref().map_or(f64::INFINITY, |best| best.miss.in_tolerances());
         StopReason::FlightsUsedUp { best }
     }
 
     /// Takes the end of a flight into account. `Some` where that ends the campaign.
-    fn take(&mut self, error: StateError, table: &ManeuverTable, flight: usize) -> Option<StopReason> {
-        let far = error.in_tolerances();
-        let before = self.best.as_ref().map_or(f64::INFINITY, |best| best.error.in_tolerances());
+    fn take(&mut self, flown: &Flown, table: &ManeuverTable, flight: usize) -> Option<StopReason> {
+        let miss = self.miss(systematic(flown, table), systematic_across_m(flown));
+        let far = miss.in_tolerances();
+        let before = self.best.as_ref().map_or(f64::INFINITY, |best| best.miss.in_tolerances());
         self.stalled = if far < PROGRESS * before { 0 } else { self.stalled + 1 };
         if far < before {
             let (parameters, table) = (self.parameters.clone(), table.clone());
-            self.best = Some(Best { parameters, error, table, flight });
+            self.best = Some(Best { parameters, miss, table, flight });
         }
         self.within = if far <= LEARNED { self.within + 1 } else { 0 };
         if self.within >= LEARNED_FLIGHTS {
@@ -286,7 +309,7 @@ impl Learner<'_> {
         let fresh = first || far > STRAIGHT || (!halved && far > 1.0);
         self.last = Some(far);
         match &self.best {
-            Some(best) if far > TOO_FAR * best.error.in_tolerances().max(1.0) => self.back(),
+            Some(best) if far > TOO_FAR * best.miss.error.in_tolerances().max(1.0) => self.back(),
             _ => self.trust = (2.0 * self.trust).min(1.0),
         }
         if !fresh {
@@ -298,10 +321,11 @@ impl Learner<'_> {
 
     /// The parameters of the next flight.
     fn correct(&mut self, history: &History) -> Result<(), CorrectionError> {
-        let last = history.flights.last().and_then(|f| f.systematic_error);
+        let last = history.flights.last();
+        let last = last.and_then(|f| Some(self.miss(f.systematic_error?, f.systematic_across_m?)));
         // After a step too far it starts again from the best.
-        let error = match (&self.best, last) {
-            (Some(best), _) if best.parameters == self.parameters => best.error,
+        let Miss { error, across_m } = match (&self.best, last) {
+            (Some(best), _) if best.parameters == self.parameters => best.miss,
             (_, Some(last)) => last,
             _ => return Ok(()),
         };
@@ -316,8 +340,18 @@ impl Learner<'_> {
             }
             gain *= 0.5;
         }
-        self.parameters = moved(gain);
+        let turn = if across_m.abs() <= POSITION_TOLERANCE_M { GAIN_WITHIN } else { 1.0 };
+        self.parameters = moved(gain).turned(turn * across_m, self.along_m(), self.plan.heading_rad);
         Ok(())
+    }
+
+    fn miss(&self, error: StateError, across_m: f64) -> Miss {
+        Miss { error, across_m: if self.along_m().abs() < TURNED_FROM_M { 0.0 } else { across_m } }
+    }
+
+    /// How far the maneuver goes along its heading, m.
+    fn along_m(&self) -> f64 {
+        f64::from(self.plan.table.end.x - self.plan.table.start.x)
     }
 
     /// Back to the best parameters, to go on from there with half the step.
@@ -332,6 +366,11 @@ impl Learner<'_> {
 /// The error at the end less what the start explains.
 fn systematic(flown: &Flown, table: &ManeuverTable) -> StateError {
     flown.observed.final_error.minus(&effect_of_start(&flown.observed.start_error, table))
+}
+
+/// The way out of the plane less what the start explains, m.
+fn systematic_across_m(flown: &Flown) -> f64 {
+    flown.observed.across.y_m - flown.observed.across_from_start_m
 }
 
 fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightEntry {
@@ -351,7 +390,10 @@ fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightE
         start_error: seen.map(|f| f.observed.start_error),
         final_error: seen.map(|f| f.observed.final_error),
         systematic_error: seen.map(|f| systematic(f, table)),
+        across: seen.map(|f| f.observed.across),
+        systematic_across_m: seen.map(systematic_across_m),
         true_final_error: seen.and_then(|f| f.true_final_error),
+        true_across: seen.and_then(|f| f.true_across),
         relinearised: false,
         table: buffer[..length].iter().map(|byte| format!("{byte:02x}")).collect(),
     }

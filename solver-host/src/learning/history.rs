@@ -70,6 +70,15 @@ impl StateError {
     }
 }
 
+/// Motion out of the maneuver's plane, which is that of the heading asked for. SI units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Across {
+    /// Position to the left of the heading, from the start, m.
+    pub y_m: f64,
+    /// Velocity, m/s.
+    pub vy_mps: f64,
+}
+
 /// One flight of a campaign.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightEntry {
@@ -86,8 +95,17 @@ pub struct FlightEntry {
     pub final_error: Option<StateError>,
     /// The same less what the start's error explains: what the correction works on.
     pub systematic_error: Option<StateError>,
+    /// How far out of the maneuver's plane it ended. `None` as for `final_error`.
+    #[serde(default)]
+    pub across: Option<Across>,
+    /// `across.y_m` less what the start explains: what the heading is corrected by, m.
+    #[serde(default)]
+    pub systematic_across_m: Option<f64>,
     /// The final error by the simulator's truth; `None` on a real vehicle.
     pub true_final_error: Option<StateError>,
+    /// `across` by the simulator's truth.
+    #[serde(default)]
+    pub true_across: Option<Across>,
     /// Whether the Jacobian was computed afresh, about this flight's table, for the correction that follows it.
     pub relinearised: bool,
     /// The table's bytes, hexadecimal.
@@ -118,6 +136,9 @@ pub struct History {
     pub seed: Option<u64>,
     /// What hover and hops said of it; `None` where it was not asked.
     pub identified: Option<IdentifiedResponse>,
+    /// Heading of the plane that is asked for, rad. That of a learned table differs by what an askew gyro makes up for.
+    #[serde(default)]
+    pub heading_rad: f64,
     /// Duration of the maneuver planned for this vehicle, s.
     pub planned_duration_s: f64,
     /// Duration of the best table so far, s.
@@ -176,6 +197,7 @@ impl History {
             vehicle: vehicle.to_owned(),
             seed,
             identified: None,
+            heading_rad: 0.0,
             planned_duration_s: 0.0,
             learned_duration_s: 0.0,
             optimum_duration_s: 0.0,

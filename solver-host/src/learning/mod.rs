@@ -25,12 +25,12 @@ mod statistics;
 pub use campaign::{Budget, FlightFailure, Flown, Flyer, LEARNED, Learned, Observer, StopReason, learn};
 pub use correction::{Correction, CorrectionError, TRUST, correct, weights};
 pub use history::{
-    ANGLE_TOLERANCE_RAD, FlightEntry, HISTORY_FILE, History, HistoryError, IdentifiedResponse,
+    ANGLE_TOLERANCE_RAD, Across, FlightEntry, HISTORY_FILE, History, HistoryError, IdentifiedResponse,
     POSITION_TOLERANCE_M, StateError, TABLE_FILE, VELOCITY_TOLERANCE_MPS, check_folder, keep_old,
 };
 pub use model::Response;
 pub use observation::{Eyes, ObservationError, Observed, Seen, effect_of_start, observe};
-pub use parameters::{MAX_PARAMETERS, Parameters};
+pub use parameters::{HEADING_MAX_RAD, MAX_PARAMETERS, Parameters};
 pub use plain::{Rule, RuleResult, learn_plainly};
 pub use plan::{LearningPlan, PlanError, THRUST_SHARE, Target, plan};
 pub use simulated::{IdentifyError, SimulatedFlyer, SimulatedVehicle, Unseen, hop_plan};

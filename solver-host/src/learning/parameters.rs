@@ -1,7 +1,8 @@
 //! The numbers that learning may change in a table: the duration of each segment and, where there are singular arcs, the
 //! width and the peak time that they share.
 //!
-//! The width is learned as its logarithm, so that it keeps its sign and never reaches zero.
+//! The width is learned as its logarithm, so that it keeps its sign and never reaches zero. Beside them stands the heading, which is
+//! learned by itself: a gyro that sits askew turns the whole plane.
 
 use mintime_shared::model::Segment;
 use mintime_shared::table::{ArcProfile, Kind, MAX_SEGMENTS, ManeuverTable, TableError, TableHeader};
@@ -23,6 +24,11 @@ const PEAK_SCALE: f64 = 0.2;
 /// How far the arcs' peak rate stays below the limit, as a part of it: rounding to `f32`.
 const RATE_MARGIN: f64 = 1.0e-4;
 
+/// A maneuver that goes less far is not turned, m: its heading hardly moves its end.
+pub(super) const TURNED_FROM_M: f64 = 1.0;
+/// Largest difference between the heading flown and the one asked for, rad. More than an askew gyro is a mistake in a file.
+pub const HEADING_MAX_RAD: f64 = 0.1;
+
 /// The parameters of a table, in the order of a Jacobian's columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -30,6 +36,8 @@ pub struct Parameters {
     pub durations_s: Vec<f64>,
     /// Width and peak time of the arcs, s; `None` without arcs, or where they are straight.
     pub arc: Option<(f64, f64)>,
+    /// Heading, rad. It moves the end out of the plane, where the other numbers do nothing, so it is no column of the Jacobian.
+    pub heading_rad: f64,
 }
 
 impl Parameters {
@@ -39,6 +47,7 @@ impl Parameters {
         Self {
             durations_s: table.segments().map(|s| f64::from(s.duration)).collect(),
             arc: arc.filter(|(width_s, _)| width_s.abs() < STRAIGHT_S),
+            heading_rad: f64::from(table.heading_rad),
         }
     }
 
@@ -77,7 +86,19 @@ impl Parameters {
         Self {
             durations_s: self.durations_s.iter().zip(change).map(|(d, by)| d + by).collect(),
             arc: self.arc.map(|(width, peak)| (width * change[count].exp(), peak + change[count + 1])),
+            heading_rad: self.heading_rad,
         }
+    }
+
+    /// The parameters with a plane turned so that an end `across_m` to the left of it comes back, for a maneuver that goes `along_m`
+    /// far: at most [`HEADING_MAX_RAD`] off the heading asked for.
+    pub(super) fn turned(self, across_m: f64, along_m: f64, asked_rad: f64) -> Self {
+        if along_m.abs() < TURNED_FROM_M {
+            return self;
+        }
+        let off =
+            (self.heading_rad - asked_rad - across_m / along_m).clamp(-HEADING_MAX_RAD, HEADING_MAX_RAD);
+        Self { heading_rad: asked_rad + off, ..self }
     }
 
     /// The table with these parameters instead of its own, marked as learned.
@@ -90,7 +111,7 @@ impl Parameters {
             kind: Kind::Learned,
             link: of.link,
             limits: of.limits,
-            heading_rad: of.heading_rad,
+            heading_rad: self.heading_rad as f32,
             start: of.start,
             end: of.end,
         };

@@ -1,6 +1,6 @@
 //! Before the first flight: the maneuver for the vehicle as it turned out to be, and a rehearsal of it on the model.
 
-use mintime_firmware::config::RATE_RESPONSE_S;
+use mintime_firmware::config::{RATE_RESPONSE_S, ROTOR_RESPONSE_S};
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::table::{ANY_VEHICLE, Kind, ManeuverTable, TableError, TableHeader};
 use mintime_shared::vehicle::{MOTOR_COUNT, VehicleConfig};
@@ -33,6 +33,15 @@ impl Response {
 /// caught up with it.
 const RATE_EXTRA_LAG_S: f64 = 0.001;
 
+impl IdentifiedResponse {
+    /// A vehicle that is as its file says.
+    pub fn of_file(file: &VehicleConfig) -> Self {
+        let rotor_lag_s = f64::from(file.rotor_lag_s);
+        let response_s = rotor_lag_s.min(f64::from(ROTOR_RESPONSE_S));
+        Self { thrust_scale: 1.0, thrust_scale_std: 0.0, rotor_lag_s, response_s }
+    }
+}
+
 impl From<&Identified> for IdentifiedResponse {
     fn from(found: &Identified) -> Self {
         Self {
@@ -61,7 +70,12 @@ pub enum Target {
     },
     /// A table. Its segments are flown as they are, with the durations that the vehicle needs; one that was learned before is
     /// learned on.
-    Table(ManeuverTable),
+    Table {
+        /// The table.
+        table: Box<ManeuverTable>,
+        /// Heading of its plane, rad; that of a learned table may differ from it by what an askew gyro needs.
+        heading_rad: f64,
+    },
 }
 
 /// A maneuver that is ready to be learned.
@@ -69,6 +83,8 @@ pub enum Target {
 pub struct LearningPlan {
     /// The table of the first flight.
     pub table: ManeuverTable,
+    /// Heading of the plane that the maneuver is to be in, rad.
+    pub heading_rad: f64,
     /// How the vehicle is taken to answer.
     pub response: Response,
     /// Duration of the maneuver as planned for this vehicle, before the rehearsal, s.
@@ -97,8 +113,8 @@ pub enum PlanError {
     Correction(#[from] CorrectionError),
     /// The vehicle is too weak or too slow.
     #[error(
-        "with the thrust that this vehicle has ({available_mps2:.1} m/s² may be planned with) it cannot fly the maneuver: plan \
-         with lower limits or charge the battery"
+        "with the thrust that this vehicle has ({available_mps2:.1} m/s² may be planned with) it cannot fly the maneuver: see to \
+         battery and propellers, and that its file tells its mass"
     )]
     Weak {
         /// True thrust per mass that may be planned with, m/s².
@@ -140,7 +156,7 @@ pub fn plan(
             let table = pack(&planned.extremal, config.hash(), *heading_rad)?;
             (commanded(&table, found.thrust_scale)?, optimum_duration_s)
         }
-        Target::Table(table) => {
+        Target::Table { table, .. } => {
             let limits = table.limits.cast();
             let (from, to): (State<f64>, State<f64>) = (table.start.cast(), table.end.cast());
             if (from.vx, from.vz, from.theta) != (0.0, 0.0, 0.0) {
@@ -149,15 +165,16 @@ pub fn plan(
             // Given thrusts are commands: the vehicle makes more or less of them.
             let limits = scaled(limits, found.thrust_scale);
             let request = Request { from, to, limits, turns: Turns::Exactly(0) };
-            (table.clone(), solve(&request)?.extremal.duration_s())
+            (ManeuverTable::clone(table), solve(&request)?.extremal.duration_s())
         }
     };
     let planned_duration_s = f64::from(table.duration_s());
     // One that was learned in flight knows better than the model.
-    let learned = matches!(target, Target::Table(table) if table.kind == Kind::Learned);
+    let learned = matches!(target, Target::Table { table, .. } if table.kind == Kind::Learned);
     let table = if learned { table } else { rehearse(&table, &response)? };
     table.check_for(config.hash(), &config.plan_limits())?;
-    Ok(LearningPlan { table, response, planned_duration_s, optimum_duration_s })
+    let (Target::Solve { heading_rad, .. } | Target::Table { heading_rad, .. }) = *target;
+    Ok(LearningPlan { table, heading_rad, response, planned_duration_s, optimum_duration_s })
 }
 
 /// The table that the paper flies first: for the limits asked for, of a vehicle that is as its file says, for any vehicle.
@@ -167,7 +184,7 @@ pub(super) fn paper_table(target: &Target) -> Result<ManeuverTable, PlanError> {
             let request = Request { from: State::origin(), to: *to, limits: *limits, turns: *turns };
             Ok(pack(&solve(&request)?.extremal, ANY_VEHICLE, *heading_rad)?)
         }
-        Target::Table(table) => Ok(table.clone()),
+        Target::Table { table, .. } => Ok(ManeuverTable::clone(table)),
     }
 }
 

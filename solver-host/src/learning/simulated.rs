@@ -6,7 +6,7 @@ use mintime_shared::vehicle::VehicleConfig;
 use nalgebra::Vector3;
 
 use super::campaign::{FlightFailure, Flown, Flyer};
-use super::history::{IdentifiedResponse, StateError};
+use super::history::{Across, IdentifiedResponse, StateError};
 use super::model::Response;
 use super::observation::Eyes;
 use crate::flight::{
@@ -30,6 +30,8 @@ pub struct SimulatedVehicle {
     pub room: Option<Room>,
     /// How it is taken to answer, to see the end of a flight well.
     pub response: Response,
+    /// Heading of the plane that maneuvers are to be in, rad.
+    pub heading_rad: f64,
 }
 
 /// Why a simulated vehicle could not be identified.
@@ -93,7 +95,7 @@ pub struct SimulatedFlyer<'a, W> {
 
 impl<W: Witness> Flyer for SimulatedFlyer<'_, W> {
     fn fly(&mut self, table: &ManeuverTable, number: u32) -> Result<Flown, FlightFailure> {
-        let SimulatedVehicle { choice, plant, seed, room, response } = self.vehicle;
+        let SimulatedVehicle { choice, plant, seed, room, .. } = self.vehicle;
         let lost = |reason: String| FlightFailure::Lost { reason };
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = table.encode(&mut buffer).map_err(|e| lost(e.to_string()))?;
@@ -103,7 +105,7 @@ impl<W: Witness> Flyer for SimulatedFlyer<'_, W> {
         let mut eyes = Eyes::new(&mut *self.witness);
         let flown =
             fly_again(&mission, number, prepared, choice, &mut eyes).map_err(|e| lost(e.to_string()))?;
-        let told = seen_end(&flown, &eyes, table, response);
+        let told = seen_end(&flown, &eyes, table, self.vehicle);
         self.last = Some(flown);
         told
     }
@@ -114,7 +116,7 @@ fn seen_end<W: Witness>(
     flown: &mission::Flown,
     eyes: &Eyes<'_, W>,
     table: &ManeuverTable,
-    response: &Response,
+    vehicle: &SimulatedVehicle,
 ) -> Result<Flown, FlightFailure> {
     let lost = |reason: String| FlightFailure::Lost { reason };
     if flown.outcome() == "crashed" {
@@ -126,16 +128,18 @@ fn seen_end<W: Witness>(
         return Err(broken(flown.reason().unwrap_or_default()));
     }
     let observed = eyes
-        .observed(table, Vector3::zeros(), &result.record, response)
+        .observed(table, Vector3::zeros(), vehicle.heading_rad, &result.record, &vehicle.response)
         .map_err(|e| FlightFailure::Broken { outcome: "not-seen", reason: e.to_string() })?;
-    let true_final_error = flown.final_error().map(|e| StateError {
+    let truth = flown.final_error_along(vehicle.heading_rad);
+    let true_final_error = truth.map(|e| StateError {
         x_m: e.x_m,
         vx_mps: e.vx_mps,
         z_m: e.z_m,
         vz_mps: e.vz_mps,
         theta_rad: e.theta_rad,
     });
-    Ok(Flown { observed, true_final_error, outcome: result.outcome.name() })
+    let true_across = truth.map(|e| Across { y_m: e.y_m, vy_mps: e.vy_mps });
+    Ok(Flown { observed, true_final_error, true_across, outcome: result.outcome.name() })
 }
 
 /// A witness that looks away.

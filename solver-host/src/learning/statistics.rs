@@ -10,7 +10,7 @@ use mintime_simulator::VehicleParameters;
 use serde::Serialize;
 
 use super::campaign::{Budget, Flyer, Learned, Observer, learn};
-use super::history::{ANGLE_TOLERANCE_RAD, FlightEntry, History, StateError};
+use super::history::{ANGLE_TOLERANCE_RAD, Across, FlightEntry, History, StateError};
 use super::model::Response;
 use super::plain::{Rule, RuleResult, learn_plainly};
 use super::plan::{Target, plan};
@@ -57,9 +57,12 @@ pub struct Case {
     pub history: Option<History>,
     /// Why learning ended.
     pub reason: String,
-    /// Mean over the repeats of distance (m), speed (m/s) and angle (rad) from the planned end, by truth.
+    /// Mean over the repeats of distance (m) and speed (m/s) from the planned end, in space, and of the angle in the plane (rad), by
+    /// truth.
     pub mean: Option<[f64; 3]>,
-    /// Whether that is within the tolerances, with a duration of at most [`DURATION_MAX`] optima.
+    /// The part of `mean`'s first two that is out of the maneuver's plane, m and m/s.
+    pub across: Option<[f64; 2]>,
+    /// Whether `mean` is within the tolerances, with a duration of at most [`DURATION_MAX`] optima.
     pub success: bool,
     /// Root of the mean square, about their mean, of distance (m), speed (m/s) and angle (rad) at the end of identical flights.
     pub scatter: Option<[f64; 3]>,
@@ -134,6 +137,7 @@ fn of_vehicle(plan: &StatisticsPlan, index: u32, seen: &impl Fn(&Case)) -> Vec<C
         seed: u64::from(index) + 1,
         room: None,
         response: Response::IDEAL,
+        heading_rad: 0.0,
     };
     let found = vehicle.identify(&mut Unseen);
     MANEUVERS
@@ -146,6 +150,7 @@ fn of_vehicle(plan: &StatisticsPlan, index: u32, seen: &impl Fn(&Case)) -> Vec<C
                 history: None,
                 reason: String::new(),
                 mean: None,
+                across: None,
                 success: false,
                 scatter: None,
                 gradient: None,
@@ -184,7 +189,7 @@ fn learn_one(
     history.identified = Some(*found);
     let Learned { history, table, stop } = learn(&plan, history, statistics.budget, &mut flyer, &mut Silent);
     case.reason = stop.to_string();
-    case.mean = mean(&history.repeats);
+    (case.mean, case.across) = means(&history.repeats).unzip();
     let good = case.mean.is_some_and(within) && history.converged;
     case.history = Some(history);
     case.success = good && case.duration_ratio().is_some_and(|r| r <= DURATION_MAX);
@@ -204,14 +209,22 @@ fn within([position_m, velocity_mps, angle_rad]: [f64; 3]) -> bool {
         && angle_rad <= ANGLE_TOLERANCE_RAD
 }
 
-/// Mean distance, speed and angle from the planned end; `None` where a flight did not get there.
-fn mean(flights: &[FlightEntry]) -> Option<[f64; 3]> {
-    let errors: Vec<StateError> =
-        flights.iter().map(|f| f.true_final_error.or(f.final_error)).collect::<Option<_>>()?;
-    let count = errors.len() as f64;
-    let of = |part: fn(&StateError) -> f64| errors.iter().map(part).sum::<f64>() / count;
+/// Means over flights: distance, speed and angle from the planned end, in space, and the distance and speed out of the maneuver's
+/// plane. `None` where a flight did not get there.
+fn means(flights: &[FlightEntry]) -> Option<([f64; 3], [f64; 2])> {
+    let ends: Vec<(StateError, Across)> = flights
+        .iter()
+        .map(|f| f.true_final_error.zip(f.true_across).or(f.final_error.zip(f.across)))
+        .collect::<Option<_>>()?;
+    let count = ends.len() as f64;
+    let of = |part: fn(&(StateError, Across)) -> f64| ends.iter().map(part).sum::<f64>() / count;
     (count > 0.0).then(|| {
-        [of(StateError::position_m), of(StateError::velocity_mps), of(|e: &StateError| e.theta_rad.abs())]
+        let mean = [
+            of(|(e, across)| e.position_m().hypot(across.y_m)),
+            of(|(e, across)| e.velocity_mps().hypot(across.vy_mps)),
+            of(|(e, _)| e.theta_rad.abs()),
+        ];
+        (mean, [of(|(_, across)| across.y_m.abs()), of(|(_, across)| across.vy_mps.abs())])
     })
 }
 

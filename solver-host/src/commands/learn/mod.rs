@@ -12,13 +12,13 @@ use mintime::flight::HopPlan;
 use mintime::flight::fly_hops;
 use mintime::identification::{self, identify};
 use mintime::learning::{
-    Budget, Flyer, History, HistoryError, IdentifiedResponse, Learned, LearningPlan, Observer, Response,
-    SimulatedFlyer, SimulatedVehicle, Target, check_folder, hop_plan, keep_old, plan,
+    Budget, Flyer, History, HistoryError, IdentifiedResponse, Learned, LearningPlan, Observer, PlanError,
+    Response, SimulatedFlyer, SimulatedVehicle, Target, check_folder, hop_plan, keep_old, plan,
 };
 use mintime::mission::{Flown, Mission, PlantChoice, Room, Source, VehicleChoice, check_plant, prepare_for};
 use mintime::page::{self, Page, Sources};
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::{Kind, MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::json;
 
@@ -98,7 +98,12 @@ impl Learn {
             Err(error) => {
                 if self.json {
                     let text = error.to_string();
-                    print(&json!({ "error": text, "converged": false, "reason": text }).to_string());
+                    // Nothing was flown; the fields are there all the same.
+                    let none = json!({
+                        "error": text, "converged": false, "reason": text, "planned_duration_s": null,
+                        "learned_duration_s": null, "optimum_duration_s": null, "flights": [], "repeats": [],
+                    });
+                    print(&none.to_string());
                 }
                 eprintln!("mintime: {error}");
                 ExitCode::FAILURE
@@ -181,8 +186,15 @@ impl Learn {
                     return Err(error.into());
                 }
                 let table = ManeuverTable::decode(&read_bytes(path)?)?;
-                let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-                Ok((Target::Table(table), name))
+                // What was learned before goes on under its name, and in the plane that was asked for.
+                let before = History::load(path.parent().unwrap_or(Path::new(""))).ok();
+                let before = before.filter(|_| table.kind == Kind::Learned);
+                let heading_rad = before.as_ref().map_or(f64::from(table.heading_rad), |h| h.heading_rad);
+                let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                Ok((
+                    Target::Table { table: Box::new(table), heading_rad },
+                    before.map_or_else(stem, |h| h.maneuver),
+                ))
             }
         }
     }
@@ -228,11 +240,14 @@ impl Campaign<'_> {
         let plant = PlantChoice::from_argument(&learn.plant)?;
         check_plant(&plant.parameters, &self.limits())?;
         let (seed, room) = (learn.seed, learn.room);
-        let mut vehicle = SimulatedVehicle { choice, plant, seed, room, response: Response::IDEAL };
+        self.foresee(&VehicleConfig::REFERENCE, room.as_ref())?;
+        let mut vehicle =
+            SimulatedVehicle { choice, plant, seed, room, response: Response::IDEAL, heading_rad: 0.0 };
         progress.line("hovering and hopping: what is the vehicle?");
         let found = vehicle.identify(progress)?;
         let plan = self.plan(&VehicleConfig::REFERENCE, &found, room.as_ref(), progress)?;
         vehicle.response = plan.response;
+        vehicle.heading_rad = plan.heading_rad;
         let voice = progress.voice();
         let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: progress, last: None };
         let learned = self.teach(&plan, found, &mut flyer, voice);
@@ -248,12 +263,21 @@ impl Campaign<'_> {
         let (mut watched, config, room) = learn.live.watch(port, learn.room)?;
         let hops = HopPlan { height_m: -room.z_m.0, ..hop_plan() };
         identification::check(&hops, Some(&room))?;
+        self.foresee(&config, Some(&room))?;
         progress.line("hovering and hopping: what is the vehicle?");
         let flight = fly_hops(&mut watched.vehicle, &hops, progress)?;
         let found = (&identify(&flight, &config)?).into();
         let plan = self.plan(&config, &found, Some(&room), progress)?;
         let voice = progress.voice();
-        let mut flyer = RealFlyer { watched, config, room, response: plan.response, progress, last: None };
+        let mut flyer = RealFlyer {
+            watched,
+            config,
+            room,
+            response: plan.response,
+            heading_rad: plan.heading_rad,
+            progress,
+            last: None,
+        };
         let learned = self.teach(&plan, found, &mut flyer, voice);
         self.last = flyer.last;
         Ok(learned)
@@ -263,7 +287,17 @@ impl Campaign<'_> {
     fn limits(&self) -> Limits<f64> {
         match &self.target {
             Target::Solve { limits, .. } => *limits,
-            Target::Table(table) => table.limits.cast(),
+            Target::Table { table, .. } => table.limits.cast(),
+        }
+    }
+
+    /// Refuses before anything flies what a vehicle as its file says could not learn here.
+    fn foresee(&self, config: &VehicleConfig, room: Option<&Room>) -> Result<(), Box<dyn Error>> {
+        match plan(&self.target, config, &IdentifiedResponse::of_file(config)) {
+            Ok(plan) => Ok(prepare_for(&Source::Table(bytes(&plan.table)), room, config).map(|_| ())?),
+            // It may be stronger than its file says.
+            Err(PlanError::Weak { .. }) => Ok(()),
+            Err(error) => Err(error.into()),
         }
     }
 

@@ -19,6 +19,8 @@ pub(super) struct RealFlyer<'a> {
     pub(super) config: VehicleConfig,
     pub(super) room: Room,
     pub(super) response: Response,
+    /// Heading of the plane that the maneuver is to be in, rad.
+    pub(super) heading_rad: f64,
     pub(super) progress: &'a mut Progress,
     /// The last flight that took place.
     pub(super) last: Option<mission::Flown>,
@@ -38,7 +40,7 @@ impl Flyer for RealFlyer<'_> {
         let mut kept = Kept::new(&mut *self.progress, table);
         let mut eyes = Eyes::new(&mut kept);
         let flight = fly_and_return(&mut self.watched.vehicle, &plan, &mut eyes);
-        let told = seen_end(&flight, &eyes, table, start_m, &self.response);
+        let told = seen_end(&flight, &eyes, table, start_m, self.heading_rad, &self.response);
         let wall_time_s = clock.elapsed().as_secs_f64();
         self.last = Some(mission::Flown {
             prepared,
@@ -59,6 +61,7 @@ fn seen_end<W: Witness>(
     eyes: &Eyes<'_, W>,
     table: &ManeuverTable,
     start_m: Vector3<f64>,
+    heading_rad: f64,
     response: &Response,
 ) -> Result<Flown, FlightFailure> {
     let result = flight.as_ref().map_err(|e| FlightFailure::Lost { reason: e.to_string() })?;
@@ -67,7 +70,7 @@ fn seen_end<W: Witness>(
         return Err(broken(result.outcome.name(), result.reason.clone().unwrap_or_default()));
     }
     let observed = eyes
-        .observed(table, start_m, &result.record, response)
+        .observed(table, start_m, heading_rad, &result.record, response)
         .map_err(|e| broken("not-seen", e.to_string()))?;
-    Ok(Flown { observed, true_final_error: None, outcome: result.outcome.name() })
+    Ok(Flown { observed, true_final_error: None, true_across: None, outcome: result.outcome.name() })
 }

@@ -75,8 +75,10 @@ fn flight(entry: &FlightEntry) -> String {
             error.in_tolerances()
         )
     };
+    let across =
+        entry.across.map_or_else(String::new, |a| format!(", {:.3} m out of the plane", a.y_m.abs()));
     let end = match (&entry.final_error, &entry.reason) {
-        (Some(error), _) => seen(error),
+        (Some(error), _) => format!("{}{across}", seen(error)),
         (None, reason) => format!("{}: {}", entry.outcome, reason.as_deref().unwrap_or("for no reason")),
     };
     format!("{:.4} s, {end}", entry.duration_s)

@@ -19,9 +19,9 @@ use mintime_shared::replay::Plan;
 use mintime_shared::table::ManeuverTable;
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::history::StateError;
+use super::history::{Across, StateError};
 use super::model::Response;
-use crate::flight::{Phase, Pose, Sight, Witness};
+use crate::flight::{HEADING_RAD, Phase, Pose, Sight, Witness};
 use pull::Pull;
 use timing::{Turned, time_start};
 
@@ -41,6 +41,10 @@ pub struct Observed {
     pub start_error: StateError,
     /// When the table's duration had passed, motion capture's state less the planned end; positions count from the start.
     pub final_error: StateError,
+    /// Motion out of the plane then.
+    pub across: Across,
+    /// What of `across.y_m` the start explains: a speed, a tilt, a nose that points elsewhere, m.
+    pub across_from_start_m: f64,
     /// When it began, s on the cameras' clock.
     pub began_s: f64,
     /// What timing left, rad, root of the mean square.
@@ -99,7 +103,7 @@ impl<'a, W: Witness> Eyes<'a, W> {
         Self { witness, poses: Vec::new(), began_s: None }
     }
 
-    /// Start and end of the maneuver that was flown.
+    /// Start and end of the maneuver that was flown, for the plane of a heading, rad.
     ///
     /// # Errors
     /// [`ObservationError`].
@@ -107,11 +111,12 @@ impl<'a, W: Witness> Eyes<'a, W> {
         &self,
         table: &ManeuverTable,
         start_m: Vector3<f64>,
+        heading_rad: f64,
         record: &[RecordedTick],
         response: &Response,
     ) -> Result<Observed, ObservationError> {
         let about_s = self.began_s.ok_or(ObservationError::NotFlown)?;
-        observe(&Seen { poses: &self.poses, about_s, start_m, record }, table, response)
+        observe(&Seen { poses: &self.poses, about_s, start_m, heading_rad, record }, table, response)
     }
 }
 
@@ -144,17 +149,24 @@ pub struct Seen<'a> {
     pub about_s: f64,
     /// Where it should have begun, world frame, m.
     pub start_m: Vector3<f64>,
+    /// Heading of the plane that is asked for, rad; the table's own may make up for an askew gyro.
+    pub heading_rad: f64,
     /// The vehicle's record.
     pub record: &'a [RecordedTick],
 }
 
-/// A pose in the maneuver's plane.
+/// A pose in the maneuver's plane; y is the way out of it, to the left of the heading.
 #[derive(Clone, Copy, Debug)]
 struct PlanarPose {
     time_s: f64,
     x_m: f64,
+    y_m: f64,
     z_m: f64,
     theta_rad: f64,
+    /// Tilt out of the plane, to the left.
+    lean_rad: f64,
+    /// Where the nose points, off its heading to the left.
+    yaw_rad: f64,
 }
 
 /// Start and end of a flight.
@@ -166,17 +178,18 @@ pub fn observe(
     table: &ManeuverTable,
     response: &Response,
 ) -> Result<Observed, ObservationError> {
-    let heading_rad = f64::from(table.heading_rad);
+    let heading_rad = seen.heading_rad;
     let duration_s = f64::from(Plan::new(table).duration_s());
-    let turned = Turned::new(seen.record, heading_rad, duration_s)?;
+    let turned = Turned::new(seen.record, f64::from(table.heading_rad), duration_s)?;
     let poses = planar(seen.poses, heading_rad);
     let timing = time_start(&poses, &turned, seen.about_s, duration_s)?;
     let (began_s, end_s) = (timing.began_s, timing.began_s + duration_s);
 
     let before = within(&poses, began_s - START_WINDOW_S, began_s, "just before the maneuver")?;
     let start = |value: fn(&PlanarPose) -> f64| line_at(&before, began_s, value);
-    let ((x0, vx0), (z0, vz0)) = (start(|p| p.x_m), start(|p| p.z_m));
-    let theta0 = before.iter().map(|p| p.theta_rad).sum::<f64>() / before.len() as f64;
+    let ((x0, vx0), (y0, vy0), (z0, vz0)) = (start(|p| p.x_m), start(|p| p.y_m), start(|p| p.z_m));
+    let mean = |value: fn(&PlanarPose) -> f64| before.iter().map(value).sum::<f64>() / before.len() as f64;
+    let theta0 = mean(|p| p.theta_rad);
 
     let last = within(&poses, end_s - END_WINDOW_S, end_s + END_AFTER_S, "at the end of the maneuver")?;
     let theta = |since_s: f64| timing.offset_rad + timing.scale * turned.angle_at(since_s);
@@ -185,6 +198,7 @@ pub fn observe(
     let pull = Pull::new(seen.record, response, duration_s, &|since_s| theta(since_s) + left);
     let (x, vx) = end_of(&last, end_s, |p| p.x_m, |sigma| pull.at(sigma)[0]);
     let (z, vz) = end_of(&last, end_s, |p| p.z_m, |sigma| pull.at(sigma)[1]);
+    let (y, vy) = end_of(&last, end_s, |p| p.y_m, |_| 0.0);
 
     let (sin, cos) = heading_rad.sin_cos();
     let (from, to) = (table.start.cast::<f64>(), table.end.cast::<f64>());
@@ -203,6 +217,8 @@ pub fn observe(
             vz_mps: vz - to.vz,
             theta_rad: theta_end - to.theta,
         },
+        across: Across { y_m: y - y0, vy_mps: vy },
+        across_from_start_m: across_from_start(vy0, mean(|p| p.lean_rad), mean(|p| p.yaw_rad), table),
         began_s,
         timing_residual_rad: timing.residual_rad,
     })
@@ -226,6 +242,15 @@ pub fn effect_of_start(start: &StateError, table: &ManeuverTable) -> StateError 
     }
 }
 
+/// What of the way out of the plane comes from the start, m: a speed drifts, a lean falls as a tilt in the plane does, and a nose that
+/// points elsewhere takes the whole path with it.
+fn across_from_start(vy_mps: f64, lean_rad: f64, yaw_rad: f64, table: &ManeuverTable) -> f64 {
+    let duration_s = f64::from(table.duration_s());
+    let gain = table.end.cast::<f64>().minus(table.start.cast());
+    let fallen_m = gain.z + f64::from(table.limits.gravity_mps2) * duration_s * duration_s / 2.0;
+    vy_mps * duration_s + lean_rad * fallen_m + yaw_rad * gain.x
+}
+
 /// Poses in the plane, with θ unwrapped.
 fn planar(poses: &[Pose], heading_rad: f64) -> Vec<PlanarPose> {
     let (sin, cos) = heading_rad.sin_cos();
@@ -238,8 +263,13 @@ fn planar(poses: &[Pose], heading_rad: f64) -> Vec<PlanarPose> {
             let up = pose.attitude * Vector3::z();
             let wrapped = along(&up).atan2(up.z);
             last = wrapped + turn * ((last - wrapped) / turn).round();
-            let (x_m, z_m) = (along(&pose.position_m), pose.position_m.z);
-            PlanarPose { time_s: pose.captured_s, x_m, z_m, theta_rad: last }
+            let at = &pose.position_m;
+            let y_m = at.y * cos - at.x * sin;
+            let lean_rad = (up.y * cos - up.x * sin).asin();
+            let nose = pose.attitude * Vector3::x();
+            let yaw_rad = nose.y.atan2(nose.x) - HEADING_RAD;
+            let time_s = pose.captured_s;
+            PlanarPose { time_s, x_m: along(at), y_m, z_m: at.z, theta_rad: last, lean_rad, yaw_rad }
         })
         .collect()
 }
