@@ -115,9 +115,10 @@ impl LearnStatistics {
 fn line(case: &Case) -> String {
     let flights = case.history.as_ref().map_or(0, |h| h.flights.len());
     let [position_m, velocity_mps, angle_rad] = case.mean.unwrap_or([f64::NAN; 3]);
+    let [distance_m, speed_mps] = case.mean_in_space.unwrap_or([f64::NAN; 2]);
     format!(
         "{}, vehicle {:2} (thrust {:.3}): {} after {flights} flights, T/T* {:.3}, repeats {position_m:.4} m, \
-         {velocity_mps:.4} m/s, {angle_rad:.4} rad; {}",
+         {velocity_mps:.4} m/s, {angle_rad:.4} rad, in space {distance_m:.4} m, {speed_mps:.4} m/s; {}",
         case.maneuver,
         case.seed,
         case.strength,
@@ -133,14 +134,16 @@ struct Summary {
     maneuver: &'static str,
     vehicles: usize,
     good: usize,
+    /// Good in space, too.
+    good_in_space: usize,
     /// Median and most flights until learning ended.
     flights: [f64; 2],
     /// Median and most flights until one ended within the tolerances; infinite where none did.
     first_within: [f64; 2],
     /// Greatest over the vehicles of the repeats' mean distance, speed and angle.
     worst_mean: [f64; 3],
-    /// Greatest over the vehicles of the repeats' mean distance (m) and speed (m/s) out of the maneuver's plane.
-    worst_across: [f64; 2],
+    /// The same of distance and speed in space.
+    worst_in_space: [f64; 2],
     /// Root of the mean square over the vehicles of the scatter's distance, speed and angle.
     scatter: Option<[f64; 3]>,
     /// Greatest duration over the optimum.
@@ -174,10 +177,13 @@ fn summary(maneuver: &'static str, cases: &[Case]) -> Summary {
         maneuver,
         vehicles: cases.len(),
         good: cases.iter().filter(|case| case.success).count(),
+        good_in_space: cases.iter().filter(|case| case.success_in_space).count(),
         flights: median_and_most(histories().map(|h| h.flights.len() as f64).collect()),
         first_within: median_and_most(histories().map(first).collect()),
         worst_mean: [worst(0), worst(1), worst(2)],
-        worst_across: [0, 1].map(|i| cases.iter().filter_map(|c| c.across).map(|a| a[i]).fold(0.0, f64::max)),
+        worst_in_space: [0, 1].map(|i| {
+            cases.iter().map(|c| c.mean_in_space.map_or(f64::INFINITY, |m| m[i])).fold(0.0, f64::max)
+        }),
         scatter: (!scatters.is_empty()).then(|| [rms(0), rms(1), rms(2)]),
         duration_ratio: cases.iter().filter_map(|c| c.duration_ratio()).fold(0.0, f64::max),
         gradient: (!gradients.is_empty())
@@ -204,27 +210,28 @@ fn table(cases: &[Case]) -> String {
             THRUST_ERROR * 100.0
         ),
         String::new(),
-        "| maneuver | good | flights until learned | until first within | worst mean of the repeats | of it out of the plane | scatter, rms | \
+        "| maneuver | good | in space, too | flights until learned | until first within | worst mean of the repeats | in space | scatter, rms | \
          T/T* at most | policy gradient | fixed inverse |"
             .to_owned(),
-        "|---|---|---|---|---|---|---|---|---|---|".to_owned(),
+        "|---|---|---|---|---|---|---|---|---|---|---|".to_owned(),
     ];
     // Infinite where none arrived.
     let count = |flights: f64| if flights.is_finite() { format!("{flights}") } else { "never".to_owned() };
     let three = |[p, v, a]: [f64; 3]| format!("{:.1} cm, {v:.3} m/s, {a:.4} rad", p * 100.0);
     for s in summaries(cases) {
         lines.push(format!(
-            "| {} | {} of {} | {}, {} | {}, {} | {} | {:.1} cm, {:.3} m/s | {} | {:.3} | {} | {} |",
+            "| {} | {} of {} | {} | {}, {} | {}, {} | {} | {:.1} cm, {:.3} m/s | {} | {:.3} | {} | {} |",
             s.maneuver,
             s.good,
             s.vehicles,
+            s.good_in_space,
             count(s.flights[0]),
             count(s.flights[1]),
             count(s.first_within[0]),
             count(s.first_within[1]),
             three(s.worst_mean),
-            s.worst_across[0] * 100.0,
-            s.worst_across[1],
+            s.worst_in_space[0] * 100.0,
+            s.worst_in_space[1],
             s.scatter.map_or_else(|| "–".to_owned(), three),
             s.duration_ratio,
             s.gradient.map_or_else(

@@ -57,13 +57,14 @@ pub struct Case {
     pub history: Option<History>,
     /// Why learning ended.
     pub reason: String,
-    /// Mean over the repeats of distance (m) and speed (m/s) from the planned end, in space, and of the angle in the plane (rad), by
-    /// truth.
+    /// Mean over the repeats of distance (m), speed (m/s) and angle (rad) from the planned end, in the maneuver's plane, by truth.
     pub mean: Option<[f64; 3]>,
-    /// The part of `mean`'s first two that is out of the maneuver's plane, m and m/s.
-    pub across: Option<[f64; 2]>,
+    /// The first two of them in space.
+    pub mean_in_space: Option<[f64; 2]>,
     /// Whether `mean` is within the tolerances, with a duration of at most [`DURATION_MAX`] optima.
     pub success: bool,
+    /// Whether it is with `mean_in_space`, too.
+    pub success_in_space: bool,
     /// Root of the mean square, about their mean, of distance (m), speed (m/s) and angle (rad) at the end of identical flights.
     pub scatter: Option<[f64; 3]>,
     /// The same maneuver by plain policy gradient.
@@ -150,8 +151,9 @@ fn of_vehicle(plan: &StatisticsPlan, index: u32, seen: &impl Fn(&Case)) -> Vec<C
                 history: None,
                 reason: String::new(),
                 mean: None,
-                across: None,
+                mean_in_space: None,
                 success: false,
+                success_in_space: false,
                 scatter: None,
                 gradient: None,
                 inverse: None,
@@ -189,10 +191,11 @@ fn learn_one(
     history.identified = Some(*found);
     let Learned { history, table, stop } = learn(&plan, history, statistics.budget, &mut flyer, &mut Silent);
     case.reason = stop.to_string();
-    (case.mean, case.across) = means(&history.repeats).unzip();
+    (case.mean, case.mean_in_space) = means(&history.repeats).unzip();
     let good = case.mean.is_some_and(within) && history.converged;
     case.history = Some(history);
     case.success = good && case.duration_ratio().is_some_and(|r| r <= DURATION_MAX);
+    case.success_in_space = case.success && case.mean_in_space.is_some_and(|[p, v]| within([p, v, 0.0]));
     case.scatter = scatter(&table, statistics.scatter, &mut flyer);
     if statistics.gradient_flights > 0 {
         let flights = statistics.gradient_flights;
@@ -209,8 +212,8 @@ fn within([position_m, velocity_mps, angle_rad]: [f64; 3]) -> bool {
         && angle_rad <= ANGLE_TOLERANCE_RAD
 }
 
-/// Means over flights: distance, speed and angle from the planned end, in space, and the distance and speed out of the maneuver's
-/// plane. `None` where a flight did not get there.
+/// Means over flights: distance, speed and angle from the planned end in the maneuver's plane; distance and speed in space. `None`
+/// where a flight did not get there.
 fn means(flights: &[FlightEntry]) -> Option<([f64; 3], [f64; 2])> {
     let ends: Vec<(StateError, Across)> = flights
         .iter()
@@ -219,12 +222,11 @@ fn means(flights: &[FlightEntry]) -> Option<([f64; 3], [f64; 2])> {
     let count = ends.len() as f64;
     let of = |part: fn(&(StateError, Across)) -> f64| ends.iter().map(part).sum::<f64>() / count;
     (count > 0.0).then(|| {
-        let mean = [
-            of(|(e, across)| e.position_m().hypot(across.y_m)),
-            of(|(e, across)| e.velocity_mps().hypot(across.vy_mps)),
-            of(|(e, _)| e.theta_rad.abs()),
-        ];
-        (mean, [of(|(_, across)| across.y_m.abs()), of(|(_, across)| across.vy_mps.abs())])
+        let plane =
+            [of(|(e, _)| e.position_m()), of(|(e, _)| e.velocity_mps()), of(|(e, _)| e.theta_rad.abs())];
+        let distance_m = of(|(e, across)| e.position_m().hypot(across.y_m));
+        let speed_mps = of(|(e, across)| e.velocity_mps().hypot(across.vy_mps));
+        (plane, [distance_m, speed_mps])
     })
 }
 
