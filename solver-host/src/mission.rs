@@ -52,6 +52,13 @@ pub enum Source {
     },
     /// Fly these bytes.
     Table(Vec<u8>),
+    /// Fly these bytes, learned for the plane of a heading, rad, which may differ from their own by what an askew gyro needs.
+    Learned {
+        /// The table.
+        bytes: Vec<u8>,
+        /// The heading.
+        heading_rad: f64,
+    },
 }
 
 /// The airframe to simulate.
@@ -322,6 +329,8 @@ pub struct Prepared {
     pub solution: Option<Solution>,
     /// Space that its path takes.
     pub extent: Extent,
+    /// Heading of the plane that it is to be in, rad from the world's x axis, where the nose points.
+    pub heading_rad: f64,
 }
 
 impl Prepared {
@@ -410,11 +419,7 @@ impl Flown {
 
     /// Truth when the table's time had passed less the planned end, positions relative to the true start.
     pub fn final_error(&self) -> Option<PlanarError> {
-        self.final_error_along(self.heading_rad())
-    }
-
-    /// The same for a planned end in the direction of another heading than the table's, rad.
-    pub fn final_error_along(&self, heading_rad: f64) -> Option<PlanarError> {
+        let heading_rad = self.heading_rad();
         let (start, end) = (self.trace.start.as_ref()?, self.trace.end.as_ref()?);
         let table = &self.prepared.table;
         let began = start.planar(heading_rad);
@@ -473,9 +478,9 @@ impl Flown {
         f64::from(plan.integrals((end_s - step_s).max(0.0), end_s).0 / step_s.min(end_s))
     }
 
-    /// Heading of the maneuver's plane, rad from the world's x axis, where the nose points.
+    /// Heading of the plane that the maneuver is to be in, rad from the world's x axis, where the nose points.
     pub fn heading_rad(&self) -> f64 {
-        f64::from(self.prepared.table.heading_rad)
+        self.prepared.heading_rad
     }
 
     /// Full turns of the maneuver.
@@ -516,7 +521,11 @@ pub fn prepare_for(
             let solution = solve(&request)?;
             (pack(&solution.extremal, config.hash(), *heading_rad)?, Some(solution))
         }
-        Source::Table(bytes) => (ManeuverTable::decode(bytes)?, None),
+        Source::Table(bytes) | Source::Learned { bytes, .. } => (ManeuverTable::decode(bytes)?, None),
+    };
+    let heading_rad = match source {
+        Source::Learned { heading_rad, .. } => *heading_rad,
+        Source::Solve { .. } | Source::Table(_) => f64::from(table.heading_rad),
     };
     table.check_for(config.hash(), &config.plan_limits())?;
     let State { vx, vz, theta, .. } = table.start;
@@ -531,9 +540,9 @@ pub fn prepare_for(
         if ![Some(room.x_m), room.y_m, Some(room.z_m)].into_iter().flatten().all(holds_the_start) {
             return Err(MissionError::EmptyRoom);
         }
-        extent.check(room, f64::from(table.heading_rad))?;
+        extent.check(room, heading_rad)?;
     }
-    Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent })
+    Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent, heading_rad })
 }
 
 /// Whether a simulated airframe can be expected to fly a plan within these limits at all.
@@ -587,14 +596,11 @@ pub fn fly_again(
         parameters: &mission.plant.parameters,
         seed: mission.seed,
         ground_z_m: floor_m,
-        heading_rad: f64::from(prepared.table.heading_rad),
+        heading_rad: prepared.heading_rad,
         maneuver_s: f64::from(prepared.table.duration_s()),
     };
-    let plan = FlightPlan {
-        table: prepared.table.clone(),
-        start_m: Vector3::zeros(),
-        vehicle: Some(VehicleConfig::REFERENCE),
-    };
+    let plan = FlightPlan::new(prepared.table.clone(), Vector3::zeros(), Some(VehicleConfig::REFERENCE))
+        .along(prepared.heading_rad);
     let clock = Instant::now();
     let (flight, trace, virtual_time_s, emulated) = match vehicle {
         VehicleChoice::Hosted => {

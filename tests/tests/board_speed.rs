@@ -48,11 +48,7 @@ fn flown(image: &FirmwareImage, timing: Timing) -> f64 {
         maneuver_s: f64::from(prepared.table.duration_s()),
     };
     let mut vehicle = VirtualVehicle::new(&scene, image.elf(), timing).expect("an image of this firmware");
-    let plan = FlightPlan {
-        table: prepared.table,
-        start_m: Vector3::zeros(),
-        vehicle: Some(VehicleConfig::REFERENCE),
-    };
+    let plan = FlightPlan::new(prepared.table, Vector3::zeros(), Some(VehicleConfig::REFERENCE));
     let start_s = processor_s();
     let result = fly(&mut vehicle, &plan, &mut Unseen).expect("a flight");
     let taken_s = processor_s() - start_s;

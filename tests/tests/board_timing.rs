@@ -196,11 +196,7 @@ fn the_motors_have_their_frame_on_time_with_a_saturated_link() {
         heading_rad: f64::from(prepared.table.heading_rad),
         maneuver_s: f64::from(prepared.table.duration_s()),
     };
-    let plan = FlightPlan {
-        table: prepared.table.clone(),
-        start_m: Vector3::zeros(),
-        vehicle: Some(VehicleConfig::REFERENCE),
-    };
+    let plan = FlightPlan::new(prepared.table.clone(), Vector3::zeros(), Some(VehicleConfig::REFERENCE));
     let vehicle = VirtualVehicle::new(&scene, image().elf(), Timing::Pessimistic).expect("a board");
     let (mut busy, mut phases) = (Busy::new(vehicle), Phases::default());
     let result = fly(&mut busy, &plan, &mut phases);

@@ -36,7 +36,7 @@ fn table_of(name: &str) -> ManeuverTable {
 }
 
 fn plan_of(table: ManeuverTable) -> FlightPlan {
-    FlightPlan { table, start_m: Vector3::zeros(), vehicle: Some(VehicleConfig::REFERENCE) }
+    FlightPlan::new(table, Vector3::zeros(), Some(VehicleConfig::REFERENCE))
 }
 
 fn hosted(parameters: &VehicleParameters, seed: u64, table: &ManeuverTable) -> HostedVehicle {

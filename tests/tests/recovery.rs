@@ -155,7 +155,7 @@ fn cut_with(
         to_host: Decoder::new(),
         states: Vec::new(),
     };
-    let plan = FlightPlan { table, start_m: Vector3::zeros(), vehicle: Some(VehicleConfig::REFERENCE) };
+    let plan = FlightPlan::new(table, Vector3::zeros(), Some(VehicleConfig::REFERENCE));
     let result = fly(&mut line, &plan, &mut Silent);
     let cut_ns = line.cut_ns.unwrap_or_else(|| panic!("the phase never came: {result:?}"));
     while line.vehicle.now_ns() < cut_ns + 7000 * MS {

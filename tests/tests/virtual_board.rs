@@ -109,11 +109,7 @@ fn recorded_flight() -> Vec<Watch> {
     let ticks = Arc::new(Mutex::new(Vec::new()));
     let seen = Arc::clone(&ticks);
     vehicle.observe(move |watch| seen.lock().expect("one thread").push(*watch));
-    let plan = FlightPlan {
-        table: prepared.table,
-        start_m: Vector3::zeros(),
-        vehicle: Some(VehicleConfig::REFERENCE),
-    };
+    let plan = FlightPlan::new(prepared.table, Vector3::zeros(), Some(VehicleConfig::REFERENCE));
     let result = fly(&mut vehicle, &plan, &mut Unseen).expect("a flight");
     assert_eq!(result.outcome, Outcome::Completed, "{:?}", result.reason);
     drop(vehicle);

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use super::builder::{Attitude, Builder};
 use super::flight::{Declared, Flight, Remark};
 use super::read_error::ReadError;
-use crate::flight_log::METADATA;
+use crate::flight_log::{HEADING, METADATA};
 
 /// What an MCAP file begins with.
 pub(super) const MAGIC: &[u8] = b"\x89MCAP0\r\n";
@@ -163,10 +163,13 @@ fn declared(facts: &BTreeMap<String, String>) -> Option<Declared> {
     let start_ns: u64 = facts.get("maneuver_start_ns")?.parse().ok()?;
     let table = ManeuverTable::decode(&hex(facts.get("table_hex")?)?).ok()?;
     let (start, end): (State<f64>, State<f64>) = (table.start.cast(), table.end.cast());
+    let asked: Option<f64> =
+        facts.get(HEADING).and_then(|rad| rad.parse().ok()).filter(|rad: &f64| rad.is_finite());
     Some(Declared {
         start_s: start_ns as f64 * 1e-9,
         displacement: end.minus(start),
-        heading_rad: f64::from(table.heading_rad),
+        // A learned table's own heading may make up for an askew gyro.
+        heading_rad: asked.unwrap_or(f64::from(table.heading_rad)),
         limits: table.limits.cast(),
     })
 }

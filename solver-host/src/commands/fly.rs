@@ -7,11 +7,12 @@ use std::process::ExitCode;
 use clap::Args;
 use mintime::firmware_image::{FirmwareImage, FirmwareImageError};
 use mintime::flight_log::{LogEvent, check_writable, write_mcap};
+use mintime::learning::History;
 use mintime::mission::{self, Flown, Mission, PlantChoice, Prepared, Room, Source, VehicleChoice};
 use mintime::page::{self, Page, Sources};
 use mintime::report;
 use mintime_shared::model::{GRAVITY_MPS2, State};
-use mintime_shared::table::LinkPolicy;
+use mintime_shared::table::{LinkPolicy, ManeuverTable};
 
 use super::limits::PlanArguments;
 use super::live::LiveArguments;
@@ -136,7 +137,7 @@ impl Fly {
 
     fn mission(&self) -> Result<Mission, Box<dyn Error>> {
         let source = match (&self.table, self.to) {
-            (Some(path), _) => Source::Table(read_bytes(path)?),
+            (Some(path), _) => from_file(path)?,
             (None, to) => {
                 let Displacement { along_m, up_m, heading_rad } = to.unwrap_or_default();
                 let limits = self.plan.limits(GRAVITY_MPS2);
@@ -287,4 +288,14 @@ pub(super) fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(
         }
     }
     Ok(())
+}
+
+/// A table from a file. One that was learned is flown in the plane for which it was, where its history lies beside it.
+fn from_file(path: &Path) -> Result<Source, Box<dyn Error>> {
+    let bytes = read_bytes(path)?;
+    let learned = ManeuverTable::decode(&bytes).ok().and_then(|table| History::beside(path, &table));
+    Ok(match learned {
+        Some(history) => Source::Learned { bytes, heading_rad: history.heading_rad },
+        None => Source::Table(bytes),
+    })
 }

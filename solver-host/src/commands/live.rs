@@ -178,8 +178,8 @@ impl LiveArguments {
         let maneuver_s = f64::from(prepared.table.duration_s());
         let options = LiveOptions { maneuver_s, key, ..LiveOptions::default() };
         let mut watched = self.eyes.watch(link, options, &room)?;
-        let plan = FlightPlan { table: prepared.table.clone(), start_m: watched.start_m, vehicle: None };
-        let mut seen = Seen::new(witness, &prepared.table);
+        let plan = FlightPlan::new(prepared.table.clone(), watched.start_m, None).along(prepared.heading_rad);
+        let mut seen = Seen::new(witness, prepared.heading_rad);
         let flight = fly(&mut watched.vehicle, &plan, &mut seen);
         let trace = seen.into_trace();
         drop(watched);

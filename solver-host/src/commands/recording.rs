@@ -1,6 +1,6 @@
 //! What a flown mission leaves in files: the log and the picture.
 
-use mintime::flight_log::{EventLevel, FlightLog, LogEvent, LogHeader, PlannedSample, RecordSample};
+use mintime::flight_log::{EventLevel, FlightLog, HEADING, LogEvent, LogHeader, PlannedSample, RecordSample};
 use mintime::mission::{Flown, Mission, Prepared};
 use mintime::report::{FlownSample, ReportData};
 use mintime_shared::model::{RateMode, Segment, ThrustLevel};
@@ -63,7 +63,7 @@ pub(crate) fn log(mission: &Mission, flown: &Flown, mut events: Vec<LogEvent>) -
     events.sort_by_key(|event| event.time_ns);
     events.push(verdict(flown));
     let table = &flown.prepared.table;
-    let mut facts = Vec::new();
+    let mut facts = vec![(HEADING.to_owned(), flown.heading_rad().to_string())];
     if let Ok(result) = &flown.flight {
         facts.push(("outcome".to_owned(), result.outcome.name().to_owned()));
         let [major, minor, patch] = result.identity.firmware_version;
@@ -154,15 +154,13 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
 pub(crate) fn target(prepared: &Prepared) -> String {
     let table = &prepared.table;
     let (x, z) = (table.end.x - table.start.x, table.end.z - table.start.z);
-    if table.heading_rad == 0.0 {
+    let heading_rad = prepared.heading_rad;
+    if heading_rad == 0.0 {
         return format!("x = {x} m, z = {z} m");
     }
-    let (sin, cos) = f64::from(table.heading_rad).sin_cos();
+    let (sin, cos) = heading_rad.sin_cos();
     let (ahead, left) = (f64::from(x) * cos, f64::from(x) * sin);
-    format!(
-        "x = {ahead:.3} m, y = {left:.3} m, z = {z} m (heading {:.1}°)",
-        f64::from(table.heading_rad).to_degrees()
-    )
+    format!("x = {ahead:.3} m, y = {left:.3} m, z = {z} m (heading {:.1}°)", heading_rad.to_degrees())
 }
 
 /// The structure of a table in one line: `+max 0.051 s, singular max 0.724 s, ...`.

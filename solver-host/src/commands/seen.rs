@@ -3,7 +3,6 @@
 use mintime::flight::{Phase, Sight, Trace, Witness};
 use mintime::flight_log::{FlightSample, MocapSample, Truth};
 use mintime_shared::model::State;
-use mintime_shared::table::ManeuverTable;
 use nalgebra::Vector3;
 
 /// A witness that keeps what it sees, and hands everything on.
@@ -16,8 +15,8 @@ pub(crate) struct Seen<'a, W> {
 }
 
 impl<'a, W: Witness> Seen<'a, W> {
-    pub(crate) fn new(witness: &'a mut W, table: &ManeuverTable) -> Self {
-        let heading_rad = f64::from(table.heading_rad);
+    /// For the plane of a heading, rad.
+    pub(crate) fn new(witness: &'a mut W, heading_rad: f64) -> Self {
         Self { witness, heading_rad, trace: Trace::default(), theta_rad: 0.0 }
     }
 

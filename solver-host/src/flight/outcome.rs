@@ -19,14 +19,28 @@ pub struct FlightPlan {
     pub start_m: Vector3<f64>,
     /// What the vehicle is, to be told where it does not know; `None` for a real one, which nobody but a person tells.
     pub vehicle: Option<VehicleConfig>,
+    /// Heading of the plane in which the maneuver is to end, rad.
+    pub heading_rad: f64,
 }
 
 impl FlightPlan {
+    /// A maneuver in the plane that its table names.
+    pub fn new(table: ManeuverTable, start_m: Vector3<f64>, vehicle: Option<VehicleConfig>) -> Self {
+        let heading_rad = f64::from(table.heading_rad);
+        Self { table, start_m, vehicle, heading_rad }
+    }
+
+    /// The same, to end in the plane of another heading, rad: a learned table's own makes up for an askew gyro.
+    #[must_use]
+    pub fn along(self, heading_rad: f64) -> Self {
+        Self { heading_rad, ..self }
+    }
+
     /// Where the maneuver should end, world frame, m.
     pub fn end_m(&self) -> Vector3<f64> {
         let (start, end) = (self.table.start, self.table.end);
         let along = f64::from(end.x - start.x);
-        let heading = f64::from(self.table.heading_rad);
+        let heading = self.heading_rad;
         self.start_m + Vector3::new(along * heading.cos(), along * heading.sin(), f64::from(end.z - start.z))
     }
 }

@@ -30,7 +30,7 @@ pub use data::{
     EventLevel, FlightLog, FlightSample, LogEvent, LogHeader, MocapSample, PlannedSample, RecordSample, Truth,
 };
 pub use output::{OutputError, check_writable, write_whole};
-pub use write::{LogError, METADATA, TABLE_ATTACHMENT, write_mcap};
+pub use write::{HEADING, LogError, METADATA, TABLE_ATTACHMENT, write_mcap};
 
 #[cfg(test)]
 mod tests;

@@ -20,6 +20,8 @@ pub const TABLE_ATTACHMENT: &str = "maneuver-table.bin";
 
 /// Name of the metadata record that holds the header.
 pub const METADATA: &str = "mintime";
+/// Name of the fact that tells the heading of the plane that the maneuver is to be in, rad.
+pub const HEADING: &str = "heading_rad";
 
 /// Why a log was not written.
 #[derive(Debug, thiserror::Error)]

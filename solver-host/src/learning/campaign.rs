@@ -1,10 +1,10 @@
 //! A campaign: fly, see where it ended, correct, fly again; and in the end fly what was learned a few times more.
 
-use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
+use mintime_shared::table::{ManeuverTable, TableError};
 use nalgebra::DMatrix;
 
 use super::correction::{CorrectionError, correct};
-use super::history::{Across, FlightEntry, History, POSITION_TOLERANCE_M, StateError};
+use super::history::{Across, FlightEntry, History, POSITION_TOLERANCE_M, StateError, hexadecimal};
 use super::model::Response;
 use super::observation::{Observed, effect_of_start};
 use super::parameters::{Parameters, TURNED_FROM_M};
@@ -380,9 +380,6 @@ fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightE
         Err(FlightFailure::Broken { outcome, reason }) => (*outcome, Some(reason.clone())),
         Err(FlightFailure::Lost { reason }) => ("lost", Some(reason.clone())),
     };
-    let mut buffer = [0; MAX_TABLE_BYTES];
-    // The buffer holds every table.
-    let length = table.encode(&mut buffer).unwrap_or(0);
     FlightEntry {
         outcome: outcome.to_owned(),
         reason,
@@ -395,6 +392,6 @@ fn entry(table: &ManeuverTable, flown: &Result<Flown, FlightFailure>) -> FlightE
         true_final_error: seen.and_then(|f| f.true_final_error),
         true_across: seen.and_then(|f| f.true_across),
         relinearised: false,
-        table: buffer[..length].iter().map(|byte| format!("{byte:02x}")).collect(),
+        table: hexadecimal(table),
     }
 }

@@ -3,6 +3,7 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use serde::{Deserialize, Serialize};
 
 use crate::flight_log::{OutputError, write_whole};
@@ -230,6 +231,21 @@ impl History {
             std::fs::read(&path).map_err(|source| HistoryError::Read { path: path.clone(), source })?;
         serde_json::from_slice(&text).map_err(|source| HistoryError::Content { path, source })
     }
+
+    /// The history in which a table was learned: that in the table's own folder, if a flight in it flew this very table.
+    pub fn beside(path: &Path, table: &ManeuverTable) -> Option<Self> {
+        let bytes = hexadecimal(table);
+        let history = Self::load(path.parent().unwrap_or(Path::new(""))).ok()?;
+        history.flights.iter().any(|flight| flight.table == bytes).then_some(history)
+    }
+}
+
+/// A table's bytes, as a history keeps them.
+pub(super) fn hexadecimal(table: &ManeuverTable) -> String {
+    let mut buffer = [0; MAX_TABLE_BYTES];
+    // The buffer holds every table.
+    let length = table.encode(&mut buffer).unwrap_or(0);
+    buffer[..length].iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Makes a folder and sees to it that the history can be written there, before anything flies.

@@ -95,11 +95,11 @@ pub struct SimulatedFlyer<'a, W> {
 
 impl<W: Witness> Flyer for SimulatedFlyer<'_, W> {
     fn fly(&mut self, table: &ManeuverTable, number: u32) -> Result<Flown, FlightFailure> {
-        let SimulatedVehicle { choice, plant, seed, room, .. } = self.vehicle;
+        let SimulatedVehicle { choice, plant, seed, room, heading_rad, .. } = self.vehicle;
         let lost = |reason: String| FlightFailure::Lost { reason };
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = table.encode(&mut buffer).map_err(|e| lost(e.to_string()))?;
-        let source = Source::Table(buffer[..length].to_vec());
+        let source = Source::Learned { bytes: buffer[..length].to_vec(), heading_rad: *heading_rad };
         let mission = Mission { source, plant: plant.clone(), seed: *seed, room: *room };
         let prepared = prepare(&mission.source, room.as_ref()).map_err(|e| lost(e.to_string()))?;
         let mut eyes = Eyes::new(&mut *self.witness);
@@ -130,7 +130,7 @@ fn seen_end<W: Witness>(
     let observed = eyes
         .observed(table, Vector3::zeros(), vehicle.heading_rad, &result.record, &vehicle.response)
         .map_err(|e| FlightFailure::Broken { outcome: "not-seen", reason: e.to_string() })?;
-    let truth = flown.final_error_along(vehicle.heading_rad);
+    let truth = flown.final_error();
     let true_final_error = truth.map(|e| StateError {
         x_m: e.x_m,
         vx_mps: e.vx_mps,

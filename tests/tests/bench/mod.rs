@@ -131,11 +131,7 @@ impl Bench {
 
     /// Flies a metre sideways, from the ground to the ground.
     pub(crate) fn fly(&mut self) -> Result<FlightResult, FlightError> {
-        let plan = FlightPlan {
-            table: self.table.clone(),
-            start_m: Vector3::zeros(),
-            vehicle: Some(VehicleConfig::REFERENCE),
-        };
+        let plan = FlightPlan::new(self.table.clone(), Vector3::zeros(), Some(VehicleConfig::REFERENCE));
         fly(self, &plan, &mut Silent)
     }
 

@@ -18,7 +18,7 @@ use mintime::learning::{
 use mintime::mission::{Flown, Mission, PlantChoice, Room, Source, VehicleChoice, check_plant, prepare_for};
 use mintime::page::{self, Page, Sources};
 use mintime_shared::model::{GRAVITY_MPS2, Limits, State};
-use mintime_shared::table::{Kind, MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::json;
 
@@ -157,7 +157,7 @@ impl Learn {
         path: &Path,
     ) -> Result<(), Box<dyn Error>> {
         let mission = Mission {
-            source: Source::Table(last.prepared.bytes.clone()),
+            source: Source::Learned { bytes: last.prepared.bytes.clone(), heading_rad: history.heading_rad },
             plant: PlantChoice::from_argument(&self.plant)?,
             seed: self.seed,
             room: self.room,
@@ -187,8 +187,7 @@ impl Learn {
                 }
                 let table = ManeuverTable::decode(&read_bytes(path)?)?;
                 // What was learned before goes on under its name, and in the plane that was asked for.
-                let before = History::load(path.parent().unwrap_or(Path::new(""))).ok();
-                let before = before.filter(|_| table.kind == Kind::Learned);
+                let before = History::beside(path, &table);
                 let heading_rad = before.as_ref().map_or(f64::from(table.heading_rad), |h| h.heading_rad);
                 let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 Ok((
@@ -294,7 +293,7 @@ impl Campaign<'_> {
     /// Refuses before anything flies what a vehicle as its file says could not learn here.
     fn foresee(&self, config: &VehicleConfig, room: Option<&Room>) -> Result<(), Box<dyn Error>> {
         match plan(&self.target, config, &IdentifiedResponse::of_file(config)) {
-            Ok(plan) => Ok(prepare_for(&Source::Table(bytes(&plan.table)), room, config).map(|_| ())?),
+            Ok(plan) => Ok(prepare_for(&source(&plan), room, config).map(|_| ())?),
             // It may be stronger than its file says.
             Err(PlanError::Weak { .. }) => Ok(()),
             Err(error) => Err(error.into()),
@@ -316,7 +315,7 @@ impl Campaign<'_> {
             found.response_s * 1e3
         ));
         let plan = plan(&self.target, config, found)?;
-        prepare_for(&Source::Table(bytes(&plan.table)), room, config)?;
+        prepare_for(&source(&plan), room, config)?;
         progress.line(&format!(
             "planned {:.4} s (optimum {:.4} s), rehearsed {:.4} s",
             plan.planned_duration_s,
@@ -343,6 +342,11 @@ impl Campaign<'_> {
         self.kept = keeper.kept;
         learned
     }
+}
+
+/// What is flown first.
+fn source(plan: &LearningPlan) -> Source {
+    Source::Learned { bytes: bytes(&plan.table), heading_rad: plan.heading_rad }
 }
 
 /// A table's bytes.

@@ -29,15 +29,15 @@ pub(super) struct RealFlyer<'a> {
 impl Flyer for RealFlyer<'_> {
     fn fly(&mut self, table: &ManeuverTable, _number: u32) -> Result<Flown, FlightFailure> {
         let lost = |reason: String| FlightFailure::Lost { reason };
-        let source = Source::Table(super::bytes(table));
+        let source = Source::Learned { bytes: super::bytes(table), heading_rad: self.heading_rad };
         // What does not fit the room is not flown.
         let prepared =
             prepare_for(&source, Some(&self.room), &self.config).map_err(|e| lost(e.to_string()))?;
         let start_m = self.watched.start_m;
-        let plan = FlightPlan { table: table.clone(), start_m, vehicle: None };
+        let plan = FlightPlan::new(table.clone(), start_m, None).along(self.heading_rad);
         self.watched.vehicle.expect_maneuver(f64::from(table.duration_s()));
         let clock = Instant::now();
-        let mut kept = Kept::new(&mut *self.progress, table);
+        let mut kept = Kept::new(&mut *self.progress, self.heading_rad);
         let mut eyes = Eyes::new(&mut kept);
         let flight = fly_and_return(&mut self.watched.vehicle, &plan, &mut eyes);
         let told = seen_end(&flight, &eyes, table, start_m, self.heading_rad, &self.response);
