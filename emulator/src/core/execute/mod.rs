@@ -1,5 +1,6 @@
 //! The interpreter: one loop, one match. What is frequent stands here; the rest in the submodules.
 mod fetch;
+mod flags;
 mod float;
 mod logic;
 mod multiple;
@@ -12,7 +13,7 @@ use crate::{
         Core, Fault, Sleep, access, alu,
         cost::{self, Timing},
         float::{Simple, compare_numbers, simple},
-        op::{Float2, Op, Size, Slot},
+        op::{Float2, Op, Slot},
     },
     memory::{LINE, Memory},
 };
@@ -34,25 +35,6 @@ pub(crate) enum Exit {
     /// An encoding this emulator does not have, at `pc`.
     Unimplemented,
 }
-
-/// For every condition the values of N, Z, C and V (as a number of four bits) with which it passes, as bits.
-const PASSING: [u16; 16] = {
-    let mut passing = [0; 16];
-    let mut nzcv = 0;
-    while nzcv < 16 {
-        let (n, z, c, v) = (nzcv >> 3 & 1 != 0, nzcv >> 2 & 1 != 0, nzcv >> 1 & 1 != 0, nzcv & 1 != 0);
-        let holds = [z, c, n, v, c && !z, n == v, n == v && !z, true];
-        let mut condition = 0;
-        while condition < 16 {
-            if condition >= 14 || holds[condition / 2] == (condition % 2 == 0) {
-                passing[condition] |= 1 << nzcv;
-            }
-            condition += 1;
-        }
-        nzcv += 1;
-    }
-    passing
-};
 
 /// Places for instructions in a line of flash.
 const LINE_SLOTS: usize = LINE as usize / 2;
@@ -647,71 +629,5 @@ impl Core {
         }
         self.flash_slots = slots;
         exit
-    }
-
-    /// `value << n` with flags; `n` is 1..=31.
-    #[inline(always)]
-    fn shift_left(&mut self, value: u32, n: u8) -> u32 {
-        self.c = value << ((n - 1) & 31) >> 31 != 0;
-        self.sign_and_zero(value << (n & 31))
-    }
-
-    /// `value >> n` with flags; `n` is 1..=31.
-    #[inline(always)]
-    fn shift_right(&mut self, value: u32, n: u8) -> u32 {
-        self.c = value >> ((n - 1) & 31) & 1 != 0;
-        self.sign_and_zero(value >> (n & 31))
-    }
-
-    #[inline(always)]
-    fn sign_and_zero(&mut self, value: u32) -> u32 {
-        self.n = (value as i32) < 0;
-        self.z = value == 0;
-        value
-    }
-
-    /// `x - y` with flags.
-    #[inline(always)]
-    fn subtract(&mut self, x: u32, y: u32) -> u32 {
-        let result = x.wrapping_sub(y);
-        self.n = (result as i32) < 0;
-        self.z = x == y;
-        self.c = x >= y;
-        self.v = ((x ^ y) & (x ^ result)) >> 31 != 0;
-        result
-    }
-
-    /// ConditionPassed (A7.3): `condition` is a four-bit code.
-    #[inline]
-    pub(crate) fn passes(&self, condition: u8) -> bool {
-        let nzcv =
-            u32::from(self.n) << 3 | u32::from(self.z) << 2 | u32::from(self.c) << 1 | u32::from(self.v);
-        PASSING[usize::from(condition & 15)] >> nzcv & 1 != 0
-    }
-
-    fn index(&self, rn: u8, imm: i16, index: crate::core::op::Index) -> (u32, u32) {
-        use crate::core::op::Index;
-        let base = self.r[usize::from(rn & 15)];
-        let moved = base.wrapping_add(i32::from(imm) as u32);
-        match index {
-            Index::Offset => (moved, base),
-            Index::Pre => (moved, moved),
-            Index::Post => (base, moved),
-        }
-    }
-
-    fn store<P: Peripherals>(
-        &mut self,
-        memory: &mut Memory,
-        peripherals: &mut P,
-        size: Size,
-        address: u32,
-        value: u32,
-    ) -> Result<(), Fault> {
-        match size {
-            Size::Word => self.write::<4, P>(memory, peripherals, address, value),
-            Size::Half | Size::SignedHalf => self.write::<2, P>(memory, peripherals, address, value),
-            Size::Byte | Size::SignedByte => self.write::<1, P>(memory, peripherals, address, value),
-        }
     }
 }
