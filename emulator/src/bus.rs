@@ -111,6 +111,12 @@ pub trait Peripherals {
         let _ = address;
         0
     }
+    /// Whether reading `address`, which has just been read, again and again from `at` on gives the same and changes nothing
+    /// until [`next_event`](Self::next_event), if nothing is written. No where that is not known.
+    fn rests(&self, address: u32, at: Cycle) -> bool {
+        let _ = (address, at);
+        false
+    }
     /// Which of the two figures of the cycle model is wanted; told once, before anything else.
     fn set_pessimistic(&mut self, pessimistic: bool) {
         let _ = pessimistic;

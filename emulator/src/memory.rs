@@ -73,7 +73,7 @@ pub struct FlashInterface {
 }
 
 /// Bytes of a line of flash and of both caches: 128 bits (RM0090 section 3.5.2).
-const LINE: u32 = 16;
+pub(crate) const LINE: u32 = 16;
 
 /// A mistake of the firmware, with when and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -273,6 +273,11 @@ impl FlashInterface {
     pub(crate) fn stale_line(&self, offset: u32) -> Option<[u8; LINE as usize]> {
         let line = offset / LINE;
         self.stale.iter().find(|(stale, _)| *stale == line).map(|(_, content)| *content)
+    }
+
+    /// Whether instructions at `offset` come from the cache at once.
+    pub(crate) fn holds_instructions(&self, offset: u32) -> bool {
+        self.instruction_cache && self.instructions.holds(offset / LINE)
     }
 
     /// Instructions are fetched from `line` at `now`: cycles until they arrive.

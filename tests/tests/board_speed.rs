@@ -11,7 +11,7 @@ use mintime_shared::model::{Limits, State};
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
 
-/// Seconds flown per second of processor. On a core that does nothing else it is 9 and more (`docs/emulator.md`, Speed).
+/// Seconds flown per second of processor. On a core that does nothing else it is 10 and more (`docs/emulator.md`, Speed).
 /// About half of that: time of a processor shared with other work passes with the caches full of that work's data.
 const FLOOR: f64 = 5.0;
 /// The fastest of these many counts.

@@ -1,5 +1,7 @@
 //! The registers of a DMA controller (RM0090 section 10.5).
 
+use super::dma_requests::Request;
+
 /// A stream is on.
 pub(crate) const CR_EN: u32 = 1;
 const CR_PFCTRL: u32 = 1 << 5;
@@ -49,6 +51,8 @@ pub(crate) struct Stream {
     pub(crate) fifo: [u8; 16],
     /// How many of them.
     pub(crate) fifo_used: usize,
+    /// What can ask while it is on.
+    pub(crate) requests: &'static [Request],
 }
 
 /// What the chip must do after a write.
@@ -161,7 +165,7 @@ impl Stream {
         self.memory_at = self.memory[(self.cr & CR_CT != 0) as usize];
     }
 
-    fn interrupt(&self) -> bool {
+    pub(crate) fn interrupt(&self) -> bool {
         // DMEIE to TCIE lie one bit below their flags.
         let enabled = (self.cr << 1) as u8 & (DMEIF | TEIF | HTIF | TCIF) | (self.fcr >> 7) as u8 & FEIF;
         self.flags & enabled != 0

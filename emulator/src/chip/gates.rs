@@ -24,14 +24,24 @@ impl<B: Board> Chip<B> {
             _ => block.gate(),
         };
         let Some(gate) = gate else { return true };
-        if self.rcc.enabled(gate) && self.rcc.reset[gate.0] >> gate.1 & 1 == 0 {
-            let (fresh, since) = self.fresh_gates[gate.0];
-            if fresh >> gate.1 & 1 == 0 || access.at >= since + self.gate_cycles(gate.0) {
-                return true;
-            }
+        if self.open(gate, access.at) {
+            return true;
         }
         self.refuse(memory, block, gate, access, verb, master);
         false
+    }
+
+    /// Whether a block with one gate can be reached at `at`; if so, it stays that way until something is written.
+    pub(super) fn answers(&self, block: Block, at: Cycle) -> bool {
+        block.gate().is_some_and(|gate| self.open(gate, at))
+    }
+
+    #[inline(always)]
+    fn open(&self, gate: (usize, u8), at: Cycle) -> bool {
+        let (fresh, since) = self.fresh_gates[gate.0];
+        self.rcc.enabled(gate)
+            && self.rcc.reset[gate.0] >> gate.1 & 1 == 0
+            && (fresh >> gate.1 & 1 == 0 || at >= since + self.gate_cycles(gate.0))
     }
 
     /// From the bit in an enable register to the clock (ES0182, "Delay after an RCC peripheral clock enabling"): two cycles of

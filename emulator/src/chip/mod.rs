@@ -57,7 +57,7 @@ use crate::bus::{Access, AccessError, Cycle, Master, NEVER, Peripherals, Width};
 use crate::memory::Memory;
 use clock::Clock;
 use events::Events;
-use map::{Place, place};
+use map::{Block, Place, place};
 
 /// Nominal frequency of the slow internal oscillator (Hz); 17 to 47 kHz by the data sheet.
 pub const LSI_NOMINAL_HZ: u32 = 32_000;
@@ -252,6 +252,14 @@ impl<B: Board> Peripherals for Chip<B> {
 
     fn wait_states(&self, address: u32) -> Cycle {
         bus_wait(&self.clock, address)
+    }
+
+    fn rests(&self, address: u32, at: Cycle) -> bool {
+        match place(address) {
+            // Status registers without a clock of their own.
+            Place::Block(block @ Block::Spi(_), 0x08) => self.answers(block, at),
+            _ => false,
+        }
     }
 
     fn take_reset(&mut self) -> bool {

@@ -7,7 +7,7 @@ use super::access::report;
 use super::dma::{Direction, TEIF};
 use super::dma_requests::{Request, requests};
 use super::events::Slot;
-use super::map::{Block, Place, place};
+use super::map::{self, Place, place};
 use super::{Board, Chip};
 use crate::bus::{Access, Cycle, Master, NEVER, Width};
 use crate::memory::{CCM_BASE, CCM_BYTES, FLASH_BASE, FLASH_BYTES, Memory, SRAM_BASE, SRAM_BYTES};
@@ -85,8 +85,10 @@ impl<B: Board> Chip<B> {
         stream: usize,
         access: Access,
     ) {
-        let state = &self.dma[controller].streams[stream];
-        if state.direction() == Direction::MemoryToMemory {
+        let state = &mut self.dma[controller].streams[stream];
+        let copies = state.direction() == Direction::MemoryToMemory;
+        state.requests = if copies { &[] } else { requests(controller, stream, state.channel()) };
+        if copies {
             if controller == 0 {
                 self.dma[0].streams[stream].fail(TEIF);
                 self.dma[0].note(stream);
@@ -95,7 +97,7 @@ impl<B: Board> Chip<B> {
                 let end = access.at + COPY_CYCLES * u64::from(state.left);
                 self.events.set(Slot::MemoryCopy(stream as u8), end);
             }
-        } else if requests(controller, stream, state.channel()).is_empty() {
+        } else if state.requests.is_empty() {
             let text = format!(
                 "no peripheral asks on DMA{} stream {stream} channel {}",
                 controller + 1,
@@ -144,11 +146,7 @@ impl<B: Board> Chip<B> {
             let stream = on.trailing_zeros() as usize;
             on &= on - 1;
             let state = &dma.streams[stream];
-            if state.direction() == Direction::MemoryToMemory {
-                continue;
-            }
-            let asking =
-                requests(controller, stream, state.channel()).iter().find(|request| self.asserted(**request));
+            let asking = state.requests.iter().find(|request| self.asserted(**request));
             if let Some(&request) = asking
                 && best.is_none_or(|(priority, ..)| state.priority() > priority)
             {
@@ -216,7 +214,8 @@ impl<B: Board> Chip<B> {
             memory.report(at, 0, text);
         }
         self.dma[controller].note(stream);
-        self.refresh(Block::Dma(controller as u8));
+        let level = self.dma[controller].streams[stream].interrupt();
+        self.set_line(map::dma_irq(controller, stream), level);
     }
 
     fn item_in(

@@ -175,8 +175,10 @@ impl<B: Board> Chip<B> {
                 self.serial_send(port, ns, &bytes);
             }
         }
-        for text in self.effects.bugs.drain(..) {
-            memory.report(at, 0, text);
+        if !self.effects.bugs.is_empty() {
+            for text in self.effects.bugs.drain(..) {
+                memory.report(at, 0, text);
+            }
         }
         self.schedule_board();
         answer
@@ -301,18 +303,19 @@ impl<B: Board> Chip<B> {
 
     /// Tells the board of the pulses of a period.
     fn emit(&mut self, memory: &mut Memory, timer: usize, period: Period) {
+        let (start_ns, ns) = (self.clock.ns(period.start), self.clock.ns(period.end));
+        let period_ns = self.clock.span_ns(period.end.saturating_sub(period.start));
         for (channel, &(delay, high)) in period.high.iter().enumerate() {
             if high == 0 {
                 continue;
             }
             let Some(pin) = self.pwm_pins[timer][channel] else { continue };
             let pulse = Pulse {
-                start_ns: self.clock.ns(period.start + delay),
+                start_ns: if delay == 0 { start_ns } else { self.clock.ns(period.start + delay) },
                 high_ns: self.clock.span_ns(high),
-                period_ns: self.clock.span_ns(period.end.saturating_sub(period.start)),
+                period_ns,
                 cut: period.cut,
             };
-            let ns = self.clock.ns(period.end);
             self.tell_board(memory, period.end, |board, effects| board.pulse(ns, pin, pulse, effects));
         }
     }

@@ -64,6 +64,10 @@ impl Default for InstructionCache {
 }
 
 impl InstructionCache {
+    pub(super) fn holds(&self, line: u32) -> bool {
+        self.places.get(line as usize).is_some_and(|place| *place != 0)
+    }
+
     #[inline]
     pub(super) fn fetch(
         &mut self,

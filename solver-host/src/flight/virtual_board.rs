@@ -24,8 +24,8 @@ use super::world::{POSE_TIMEOUT_NS, Scene, Tick, Trace, World, is_planning_model
 /// The image's tick is looked at this often at least, ns: shorter than a tick, so that none is missed.
 const LOOK_NS: u64 = 200_000;
 
-/// The board runs for so many cycles at most before its clock is looked at again: 12 µs in flight, 125 µs after a reset.
-const STEP_CYCLES: u64 = 2000;
+/// The board runs for so many cycles at most before its clock is looked at again: 19 µs in flight, 200 µs after a reset.
+const STEP_CYCLES: u64 = 3200;
 
 /// One count of the gyro at ±2000 °/s, rad/s.
 const GYRO_STEP_RADPS: f64 = core::f64::consts::PI / 180.0 / 16.384;

@@ -36,11 +36,6 @@ impl Core {
                 self.fpscr = context.fpscr & 0x0FFF_FFFF | nzcv << 28;
                 return;
             }
-            Op::VmovFromCore { n, rt } => (n, self.r[usize::from(rt & 15)]),
-            Op::VmovToCore { n, rt } => {
-                self.r[usize::from(rt & 15)] = s(n);
-                return;
-            }
             Op::VmovPair { m, rt, rt2, to_core } => {
                 let (first, second) = (usize::from(m & 31), usize::from((m + 1) & 31));
                 let (rt, rt2) = (usize::from(rt & 15), usize::from(rt2 & 15));
@@ -49,10 +44,6 @@ impl Core {
                 } else {
                     (self.s[first], self.s[second]) = (self.r[rt], self.r[rt2]);
                 }
-                return;
-            }
-            Op::Vmrs { rt: 15 } => {
-                self.set_nzcvq(self.fpscr & 0xF000_0000 | u32::from(self.q) << 27);
                 return;
             }
             Op::Vmrs { rt } => {
@@ -67,49 +58,6 @@ impl Core {
         };
         self.fpscr = context.fpscr;
         self.s[usize::from(d & 31)] = value;
-    }
-
-    pub(super) fn load_float<P: Peripherals>(
-        &mut self,
-        memory: &mut Memory,
-        peripherals: &mut P,
-        d: u8,
-        double: bool,
-        rn: u8,
-        imm: i16,
-    ) -> Result<(), Fault> {
-        let address = self.r[usize::from(rn & 15)].wrapping_add(i32::from(imm) as u32);
-        if address & 3 != 0 {
-            return Err(Fault::Unaligned);
-        }
-        let first = self.read::<4, P>(memory, peripherals, address)?;
-        if double {
-            let second = self.read::<4, P>(memory, peripherals, address.wrapping_add(4))?;
-            self.s[usize::from((d + 1) & 31)] = second;
-        }
-        self.s[usize::from(d & 31)] = first;
-        Ok(())
-    }
-
-    pub(super) fn store_float<P: Peripherals>(
-        &mut self,
-        memory: &mut Memory,
-        peripherals: &mut P,
-        d: u8,
-        double: bool,
-        rn: u8,
-        imm: i16,
-    ) -> Result<(), Fault> {
-        let address = self.r[usize::from(rn & 15)].wrapping_add(i32::from(imm) as u32);
-        if address & 3 != 0 {
-            return Err(Fault::Unaligned);
-        }
-        self.write::<4, P>(memory, peripherals, address, self.s[usize::from(d & 31)])?;
-        if double {
-            let second = self.s[usize::from((d + 1) & 31)];
-            self.write::<4, P>(memory, peripherals, address.wrapping_add(4), second)?;
-        }
-        Ok(())
     }
 
     #[allow(clippy::too_many_arguments, reason = "the fields of the encoding")]

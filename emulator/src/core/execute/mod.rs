@@ -1,8 +1,10 @@
 //! The interpreter: one loop, one match. What is frequent stands here; the rest in the submodules.
 mod fetch;
+mod flags;
 mod float;
 mod logic;
 mod multiple;
+mod polling;
 mod rare;
 
 use crate::{
@@ -10,10 +12,12 @@ use crate::{
     core::{
         Core, Fault, Sleep, access, alu,
         cost::{self, Timing},
-        op::{Op, Size, Slot},
+        float::{Simple, compare_numbers, simple},
+        op::{Float2, Op, Slot},
     },
-    memory::Memory,
+    memory::{LINE, Memory},
 };
+use polling::{Poll, is_peripheral};
 
 /// Why the inner loop ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +35,11 @@ pub(crate) enum Exit {
     /// An encoding this emulator does not have, at `pc`.
     Unimplemented,
 }
+
+/// Places for instructions in a line of flash.
+const LINE_SLOTS: usize = LINE as usize / 2;
+/// No line of flash.
+const NO_LINE: [Slot; LINE_SLOTS] = [Slot::EMPTY; LINE_SLOTS];
 
 impl Core {
     /// Executes until [`Exit`]; never beyond the deadline by more than one instruction.
@@ -56,10 +65,18 @@ impl Core {
         let mut cycle = self.cycle;
         let mut executed = 0_u64;
         let mut scratch;
+        let alias = self.flash_alias;
+        // The line of flash that instructions come from, and its number.
+        let (mut line, mut line_at) = (&NO_LINE, u32::MAX);
 
         macro_rules! r {
             ($n:expr) => {
                 self.r[($n & 15) as usize]
+            };
+        }
+        macro_rules! s {
+            ($n:expr) => {
+                self.s[($n & 31) as usize]
             };
         }
         macro_rules! outside {
@@ -117,6 +134,17 @@ impl Core {
                 }
             };
         }
+        // Most arithmetic of single precision; the rest outside.
+        macro_rules! simple_float {
+            ($op:expr, $operation:expr, $d:expr, $n:expr, $m:expr) => {{
+                ready_float!();
+                if let Some(bits) = simple(self.fpscr, $operation, s!($n), s!($m)) {
+                    s!($d) = bits;
+                } else {
+                    self.execute_float($op);
+                }
+            }};
+        }
         macro_rules! branch_if {
             ($condition:expr, $target:expr) => {
                 if $condition {
@@ -168,24 +196,24 @@ impl Core {
             if cycle >= self.deadline {
                 break Exit::Deadline;
             }
-            let offset = pc ^ self.flash_alias;
-            let mut slot: &Slot = match slots.get((offset >> 1) as usize) {
-                Some(slot) => {
-                    if PESSIMISTIC && offset >> 4 != self.fetch_line {
-                        self.fetch_line = offset >> 4;
-                        cycle += memory.flash_interface.fetch(offset >> 4, cycle);
-                    }
-                    slot
+            let offset = pc ^ alias;
+            let mut slot: &Slot = if offset / LINE == line_at {
+                &line[(offset / 2) as usize % LINE_SLOTS]
+            } else if let Some(next) = slots.as_chunks().0.get((offset / LINE) as usize) {
+                (line, line_at) = (next, offset / LINE);
+                if PESSIMISTIC && line_at != self.fetch_line {
+                    self.fetch_line = line_at;
+                    cycle = cycle.wrapping_add(memory.flash_interface.fetch(line_at, cycle));
                 }
-                None => {
-                    std::hint::cold_path();
-                    match outside!(self.fetch_from_ram(memory, pc)) {
-                        Ok(slot) => {
-                            scratch = slot;
-                            &scratch
-                        }
-                        Err(exit) => break exit,
+                &line[(offset / 2) as usize % LINE_SLOTS]
+            } else {
+                std::hint::cold_path();
+                match outside!(self.fetch_from_ram(memory, pc)) {
+                    Ok(slot) => {
+                        scratch = slot;
+                        &scratch
                     }
+                    Err(exit) => break exit,
                 }
             };
             self.r[15] = pc.wrapping_add(4);
@@ -193,7 +221,8 @@ impl Core {
                 std::hint::cold_path();
                 if slot.op == Op::Undecoded {
                     let decoded = outside!(self.decode_from_flash(memory, pc, offset));
-                    if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
+                    (line, line_at) = (&NO_LINE, u32::MAX);
+                    if let Some(slot) = slots.get_mut((offset / 2) as usize) {
                         *slot = decoded;
                     }
                     continue;
@@ -219,7 +248,8 @@ impl Core {
                 Op::Undecoded => {
                     executed = executed.wrapping_sub(1);
                     let decoded = outside!(self.decode_from_flash(memory, pc, offset));
-                    if let Some(slot) = slots.get_mut((offset >> 1) as usize) {
+                    (line, line_at) = (&NO_LINE, u32::MAX);
+                    if let Some(slot) = slots.get_mut((offset / 2) as usize) {
                         *slot = decoded;
                     }
                     continue;
@@ -227,7 +257,23 @@ impl Core {
                 Op::Undefined => break Exit::Fault(Fault::Undefined),
                 Op::NoCoprocessor => break Exit::Fault(Fault::NoCoprocessor),
                 Op::Nop => {}
-                Op::It { state } => self.it = state,
+                Op::It { state } => {
+                    // A single instruction that is not to run: past it at once.
+                    let next = offset.wrapping_add(2);
+                    let skipped = &line[(next / 2) as usize % LINE_SLOTS];
+                    if state & 7 == 0
+                        && !self.passes(state >> 4)
+                        && cycle < self.deadline
+                        && next / LINE == line_at
+                        && skipped.op != Op::Undecoded
+                    {
+                        executed = executed.wrapping_add(1);
+                        cycle = cycle.wrapping_add(1);
+                        pc = pc.wrapping_add(2 + u32::from(skipped.len));
+                        continue;
+                    }
+                    self.it = state;
+                }
 
                 Op::MovImm { rd, imm } => r!(rd) = imm,
                 Op::MovsImm { rd, imm } => r!(rd) = nz!(imm),
@@ -280,16 +326,8 @@ impl Core {
                 Op::LslImm { rd, rm, n } => r!(rd) = r!(rm) << (n & 31),
                 Op::LsrImm { rd, rm, n } => r!(rd) = r!(rm) >> (n & 31),
                 Op::AsrImm { rd, rm, n } => r!(rd) = ((r!(rm) as i32) >> (n & 31)) as u32,
-                Op::LslsImm { rd, rm, n } => {
-                    let value = r!(rm);
-                    self.c = value << ((n - 1) & 31) >> 31 != 0;
-                    r!(rd) = nz!(value << (n & 31));
-                }
-                Op::LsrsImm { rd, rm, n } => {
-                    let value = r!(rm);
-                    self.c = value >> ((n - 1) & 31) & 1 != 0;
-                    r!(rd) = nz!(value >> (n & 31));
-                }
+                Op::LslsImm { rd, rm, n } => r!(rd) = self.shift_left(r!(rm), n),
+                Op::LsrsImm { rd, rm, n } => r!(rd) = self.shift_right(r!(rm), n),
                 Op::AluImm { op, s, carry, rd, rn, imm } => {
                     let carry = if carry == 2 { self.c } else { carry != 0 };
                     self.data_operation(op, s, rd, r!(rn), imm, carry);
@@ -385,7 +423,21 @@ impl Core {
                     jump!(self.r[15].wrapping_add(2 * entries));
                 }
 
-                Op::LdrImm { rt, rn, imm } => r!(rt) = read!(4, r!(rn).wrapping_add(imm)),
+                Op::LdrImm { rt, rn, imm } => {
+                    let address = r!(rn).wrapping_add(imm);
+                    let value = read!(4, address);
+                    if is_peripheral(address) {
+                        std::hint::cold_path();
+                        outside!(self.pass_over_polls(
+                            memory,
+                            peripherals,
+                            &slots,
+                            Poll { pc, address, value }
+                        ));
+                        self.pipelined = cycle;
+                    }
+                    r!(rt) = value;
+                }
                 Op::LdrbImm { rt, rn, imm } => r!(rt) = read!(1, r!(rn).wrapping_add(imm)),
                 Op::LdrhImm { rt, rn, imm } => r!(rt) = read!(2, r!(rn).wrapping_add(imm)),
                 Op::LdrLit { rt, address } => r!(rt) = read!(4, address),
@@ -486,11 +538,26 @@ impl Core {
 
                 Op::Vldr { d, double, rn, imm } => {
                     ready_float!();
-                    check!(outside!(self.load_float(memory, peripherals, d, double, rn, imm)));
+                    let address = r!(rn).wrapping_add(i32::from(imm) as u32);
+                    if address & 3 != 0 {
+                        break Exit::Fault(Fault::Unaligned);
+                    }
+                    let first = load!(4, address);
+                    if double {
+                        s!(d + 1) = load!(4, address.wrapping_add(4));
+                    }
+                    s!(d) = first;
                 }
                 Op::Vstr { d, double, rn, imm } => {
                     ready_float!();
-                    check!(outside!(self.store_float(memory, peripherals, d, double, rn, imm)));
+                    let address = r!(rn).wrapping_add(i32::from(imm) as u32);
+                    if address & 3 != 0 {
+                        break Exit::Fault(Fault::Unaligned);
+                    }
+                    store!(4, address, s!(d));
+                    if double {
+                        store!(4, address.wrapping_add(4), s!(d + 1));
+                    }
                 }
                 Op::Vldm { rn, d, count, before, writeback } => {
                     ready_float!();
@@ -500,16 +567,38 @@ impl Core {
                     ready_float!();
                     check!(outside!(self.store_floats(memory, peripherals, rn, d, count, before, writeback)));
                 }
-                Op::Vadd { .. }
-                | Op::Vsub { .. }
-                | Op::Vmul { .. }
-                | Op::Float3 { .. }
+                Op::Vadd { d, n, m } => simple_float!(slot.op, Simple::Add, d, n, m),
+                Op::Vsub { d, n, m } => simple_float!(slot.op, Simple::Subtract, d, n, m),
+                Op::Vmul { d, n, m } => simple_float!(slot.op, Simple::Multiply, d, n, m),
+                Op::Vcmp { d, m, zero, .. } => {
+                    ready_float!();
+                    let other = if zero { 0 } else { s!(m) };
+                    if let Some(nzcv) = compare_numbers(self.fpscr, s!(d), other) {
+                        self.fpscr = self.fpscr & 0x0FFF_FFFF | nzcv << 28;
+                    } else {
+                        self.execute_float(slot.op);
+                    }
+                }
+                Op::VmovFromCore { n, rt } => {
+                    ready_float!();
+                    s!(n) = r!(rt);
+                }
+                Op::VmovToCore { n, rt } => {
+                    ready_float!();
+                    r!(rt) = s!(n);
+                }
+                Op::Vmrs { rt: 15 } => {
+                    ready_float!();
+                    self.set_nzcvq(self.fpscr & 0xF000_0000 | u32::from(self.q) << 27);
+                }
+                Op::Float2 { op: Float2::Mov, d, m } => {
+                    ready_float!();
+                    s!(d) = s!(m);
+                }
+                Op::Float3 { .. }
                 | Op::Float2 { .. }
                 | Op::VmovImm { .. }
-                | Op::Vcmp { .. }
                 | Op::VcvtFixed { .. }
-                | Op::VmovFromCore { .. }
-                | Op::VmovToCore { .. }
                 | Op::VmovPair { .. }
                 | Op::Vmrs { .. }
                 | Op::Vmsr { .. } => {
@@ -540,57 +629,5 @@ impl Core {
         }
         self.flash_slots = slots;
         exit
-    }
-
-    /// `x - y` with flags.
-    #[inline(always)]
-    fn subtract(&mut self, x: u32, y: u32) -> u32 {
-        let result = x.wrapping_sub(y);
-        self.n = (result as i32) < 0;
-        self.z = x == y;
-        self.c = x >= y;
-        self.v = ((x ^ y) & (x ^ result)) >> 31 != 0;
-        result
-    }
-
-    /// ConditionPassed (A7.3): `condition` is a four-bit code.
-    pub(crate) fn passes(&self, condition: u8) -> bool {
-        let holds = match condition >> 1 {
-            0 => self.z,
-            1 => self.c,
-            2 => self.n,
-            3 => self.v,
-            4 => self.c && !self.z,
-            5 => self.n == self.v,
-            6 => self.n == self.v && !self.z,
-            _ => return true,
-        };
-        holds == (condition & 1 == 0)
-    }
-
-    fn index(&self, rn: u8, imm: i16, index: crate::core::op::Index) -> (u32, u32) {
-        use crate::core::op::Index;
-        let base = self.r[usize::from(rn & 15)];
-        let moved = base.wrapping_add(i32::from(imm) as u32);
-        match index {
-            Index::Offset => (moved, base),
-            Index::Pre => (moved, moved),
-            Index::Post => (base, moved),
-        }
-    }
-
-    fn store<P: Peripherals>(
-        &mut self,
-        memory: &mut Memory,
-        peripherals: &mut P,
-        size: Size,
-        address: u32,
-        value: u32,
-    ) -> Result<(), Fault> {
-        match size {
-            Size::Word => self.write::<4, P>(memory, peripherals, address, value),
-            Size::Half | Size::SignedHalf => self.write::<2, P>(memory, peripherals, address, value),
-            Size::Byte | Size::SignedByte => self.write::<1, P>(memory, peripherals, address, value),
-        }
     }
 }

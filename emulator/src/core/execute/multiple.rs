@@ -1,9 +1,9 @@
-//! Loads and stores of several registers, and single loads in their general form (ARMv7-M ARM A7.7).
+//! Loads and stores of several registers, and single ones in their general form (ARMv7-M ARM A7.7).
 use crate::{
     bus::Peripherals,
     core::{
         Core, Fault,
-        op::{Op, Size},
+        op::{Index, Op, Size},
     },
     memory::{Memory, SRAM_BASE},
 };
@@ -46,6 +46,33 @@ impl Core {
         }
         self.r[usize::from(rt & 15)] = if rt == 13 { value & !3 } else { value };
         Ok(None)
+    }
+
+    /// Address and base register after it (A4.6.3).
+    pub(super) fn index(&self, rn: u8, imm: i16, index: Index) -> (u32, u32) {
+        let base = self.r[usize::from(rn & 15)];
+        let moved = base.wrapping_add(i32::from(imm) as u32);
+        match index {
+            Index::Offset => (moved, base),
+            Index::Pre => (moved, moved),
+            Index::Post => (base, moved),
+        }
+    }
+
+    /// Single stores that are not frequent.
+    pub(super) fn store<P: Peripherals>(
+        &mut self,
+        memory: &mut Memory,
+        peripherals: &mut P,
+        size: Size,
+        address: u32,
+        value: u32,
+    ) -> Result<(), Fault> {
+        match size {
+            Size::Word => self.write::<4, P>(memory, peripherals, address, value),
+            Size::Half | Size::SignedHalf => self.write::<2, P>(memory, peripherals, address, value),
+            Size::Byte | Size::SignedByte => self.write::<1, P>(memory, peripherals, address, value),
+        }
     }
 
     /// STMDB SP!.

@@ -1,8 +1,21 @@
 //! Comparison, and conversion from and to integers, fixed point and half precision (ARMv7-M ARM A2.5.5).
+use std::cmp::Ordering;
+
 use super::{
-    AHP, Context, DEFAULT_NAN, DN, INFINITY, IOC, IXC, Kind, OFC, QUIET, RMODE, SIGN, UFC, jam, normalise,
-    rounds_up,
+    AHP, Context, DEFAULT_NAN, DN, FZ, INFINITY, IOC, IXC, Kind, OFC, QUIET, RMODE, SIGN, UFC, jam,
+    normalise, rounds_up,
 };
+
+/// FPCompare of two numbers where it raises nothing; else none.
+#[inline(always)]
+pub(crate) fn compare_numbers(fpscr: u32, a: u32, b: u32) -> Option<u32> {
+    let ordering = f32::from_bits(a).partial_cmp(&f32::from_bits(b)).filter(|_| fpscr & FZ == 0)?;
+    Some(match ordering {
+        Ordering::Equal => 0b0110,
+        Ordering::Less => 0b1000,
+        Ordering::Greater => 0b0010,
+    })
+}
 
 /// FPCompare: N, Z, C and V as a number of four bits. With `quiet_too`, any NaN is invalid.
 pub(crate) fn compare(context: &mut Context, a: u32, b: u32, quiet_too: bool) -> u32 {

@@ -5,7 +5,9 @@
 //! arithmetic gives the same bits sooner.
 mod convert;
 
-pub(crate) use convert::{compare, from_fixed, from_half, from_integer, to_fixed, to_half, to_integer};
+pub(crate) use convert::{
+    compare, compare_numbers, from_fixed, from_half, from_integer, to_fixed, to_half, to_integer,
+};
 
 /// Bits of FPSCR that exist.
 pub(crate) const FPSCR_MASK: u32 = 0xF7C0_009F;
@@ -201,23 +203,36 @@ fn plain(value: f32) -> Option<u32> {
     (field.wrapping_sub(2) < 253).then_some(bits)
 }
 
+/// An operation that the host's arithmetic can do.
+#[derive(Clone, Copy)]
+pub(crate) enum Simple {
+    Add,
+    Subtract,
+    Multiply,
+}
+
+/// The result of an operation that raises nothing new, as most do; else none.
+#[inline(always)]
+pub(crate) fn simple(fpscr: u32, operation: Simple, a: u32, b: u32) -> Option<u32> {
+    let (x, y) = (f32::from_bits(a), f32::from_bits(b));
+    let value = match operation {
+        Simple::Add => x + y,
+        Simple::Subtract => x - y,
+        Simple::Multiply => x * y,
+    };
+    if Context::new(fpscr).host_will_do() { plain(value) } else { None }
+}
+
 /// FPAdd.
 #[inline]
 pub(crate) fn add(context: &mut Context, a: u32, b: u32) -> u32 {
-    if context.host_will_do()
-        && let Some(bits) = plain(f32::from_bits(a) + f32::from_bits(b))
-    {
-        return bits;
-    }
-    add_exactly(context, a, b)
+    simple(context.fpscr, Simple::Add, a, b).unwrap_or_else(|| add_exactly(context, a, b))
 }
 
 /// FPSub.
 #[inline]
 pub(crate) fn subtract(context: &mut Context, a: u32, b: u32) -> u32 {
-    if context.host_will_do()
-        && let Some(bits) = plain(f32::from_bits(a) - f32::from_bits(b))
-    {
+    if let Some(bits) = simple(context.fpscr, Simple::Subtract, a, b) {
         return bits;
     }
     // A NaN keeps its sign where -b as an operand would turn it.
@@ -230,12 +245,7 @@ pub(crate) fn subtract(context: &mut Context, a: u32, b: u32) -> u32 {
 /// FPMul.
 #[inline]
 pub(crate) fn multiply(context: &mut Context, a: u32, b: u32) -> u32 {
-    if context.host_will_do()
-        && let Some(bits) = plain(f32::from_bits(a) * f32::from_bits(b))
-    {
-        return bits;
-    }
-    multiply_exactly(context, a, b)
+    simple(context.fpscr, Simple::Multiply, a, b).unwrap_or_else(|| multiply_exactly(context, a, b))
 }
 
 #[inline(never)]
