@@ -2,7 +2,9 @@
 
 use crate::drawing::axis::{Range, Steps};
 use crate::drawing::plot::{Axes, Plot};
-use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, INK, LIMIT, MARGIN, MUTED, SINGULAR, TEXT_SIZE, WIDTH};
+use crate::drawing::style::{
+    AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, MUTED, SINGULAR, TEXT_SIZE, WIDTH,
+};
 use crate::drawing::svg::{Rect, Svg, TextStyle};
 
 /// Height of a panel.
@@ -17,6 +19,25 @@ pub(crate) struct Curve {
     pub(crate) stroke: String,
     /// Name, written at its end.
     pub(crate) name: Option<&'static str>,
+}
+
+/// An instant that an upright line marks.
+pub(crate) struct Mark {
+    pub(crate) t_s: f64,
+    /// Stroke attributes.
+    pub(crate) stroke: String,
+}
+
+impl Mark {
+    /// Of the plan.
+    pub(crate) fn planned(t_s: f64) -> Self {
+        Self { t_s, stroke: format!(r#"stroke="{MUTED}" stroke-width="1.2""#) }
+    }
+
+    /// Of what was learned.
+    pub(crate) fn learned(t_s: f64) -> Self {
+        Self { t_s, stroke: format!(r#"stroke="{FLOWN}" stroke-width="1.2""#) }
+    }
 }
 
 /// A panel.
@@ -53,7 +74,7 @@ pub(crate) fn draw(
     panels: &[Panel],
     time: Range,
     shaded: &[(f64, f64)],
-    marks: &[f64],
+    marks: &[Mark],
     top: f64,
 ) -> f64 {
     let rows = panels.len().div_ceil(2);
@@ -71,9 +92,9 @@ pub(crate) fn draw(
         }
         let last = row + 1 == rows;
         plot.axes(svg, &Axes { x: last.then_some("time t (s)"), y: panel.label, steps: panel.steps });
-        for t in marks {
-            let x = plot.x(*t);
-            svg.line((x, rect.y), (x, rect.bottom()), &format!(r#"stroke="{MUTED}" stroke-width="1.2""#));
+        for mark in marks {
+            let x = plot.x(mark.t_s);
+            svg.line((x, rect.y), (x, rect.bottom()), &mark.stroke);
         }
         for limit in &panel.limits {
             let y = plot.y(*limit);
