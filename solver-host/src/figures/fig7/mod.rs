@@ -8,7 +8,7 @@ use super::fig6::singular_arcs;
 use super::samples::{Instant, times};
 use super::time_chart::{self, Curve, Mark, Panel};
 use super::{Content, FigureError, Number};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
@@ -147,7 +147,7 @@ fn panels(tracks: &[Track]) -> [Panel; 6] {
             stroke: format!(r#"class="{}" {}"#, track.which.name(), track.which.stroke()),
             name: None,
         };
-        Panel::of(label, Steps::Decimal, tracks.iter().map(curve).collect())
+        Panel::of(label, tracks.iter().map(curve).collect())
     };
     [
         panel("x (m)", |i| i.state.x),
