@@ -6,7 +6,7 @@ use mcap::McapError;
 use mcap::read::{ChunkFlattener, Options};
 use mcap::records::Record;
 use mintime_shared::model::State;
-use mintime_shared::table::ManeuverTable;
+use mintime_shared::table::{Kind, ManeuverTable};
 use serde::Deserialize;
 
 use super::builder::{Attitude, Builder};
@@ -167,7 +167,7 @@ fn declared(facts: &BTreeMap<String, String>) -> Option<Declared> {
         start_s: start_ns as f64 * 1e-9,
         displacement: end.minus(start),
         heading_rad: f64::from(table.heading_rad),
-        limits: table.limits.cast(),
+        limits: (table.kind != Kind::Learned).then(|| table.limits.cast()),
     })
 }
 
