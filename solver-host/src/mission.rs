@@ -1,5 +1,6 @@
 //! From a request to a flown maneuver: solve, pack, check the room, fly, compare with truth.
 
+mod peak_speed;
 mod plan_frame;
 
 use std::path::{Path, PathBuf};

@@ -1,69 +1,18 @@
 //! Reading logs: both kinds say the same of the same flight, units are converted, and every bad file ends in a sentence.
 
+mod logged;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use mintime::benchmark::{
-    BenchmarkError, Flight, Goal, ReadError, Remark, Rules, Score, read, read_csv, read_mcap, score,
-};
-use mintime::flight_log::{FlightLog, FlightSample, Truth, write_mcap};
-use mintime::solver::{Extremal, Request, solve};
-use mintime_shared::model::State;
+use logged::{csv, flight, log, maneuver, mcap, measured, written};
+use mintime::benchmark::{BenchmarkError, Goal, ReadError, Remark, Rules, read, read_csv, read_mcap, score};
+use mintime::flight_log::{FlightLog, write_mcap};
+use mintime::pack::pack;
+use mintime_shared::model::{Limits, State};
+use mintime_shared::table::{Kind, MAX_TABLE_BYTES};
 use proptest::prelude::*;
-
-const RATE_HZ: f64 = 400.0;
-
-fn maneuver() -> Extremal {
-    solve(&Request::rest_to_rest(4.0, 1.0)).expect("a maneuver").extremal
-}
-
-/// A maneuver with half a second of hover before and 0.7 s after it: time and state.
-fn flight() -> Vec<(f64, State<f64>)> {
-    let extremal = maneuver();
-    let count = ((extremal.duration_s() + 1.2) * RATE_HZ) as u32;
-    let at = |i: u32| f64::from(i) / RATE_HZ;
-    (0..count).map(|i| (at(i), extremal.state_at(at(i) - 0.5))).collect()
-}
-
-fn csv() -> String {
-    let mut text = String::from("t_s,x_m,vx_mps,z_m,vz_mps,theta_rad\n");
-    for (t_s, State { x, vx, z, vz, theta }) in flight() {
-        let _ = writeln!(text, "{t_s},{x},{vx},{z},{vz},{theta}");
-    }
-    text
-}
-
-/// The same flight as `mintime fly` logs it.
-fn log() -> FlightLog {
-    let sample = |(t_s, planar): (f64, State<f64>)| {
-        let (sin, cos) = (0.5 * planar.theta).sin_cos();
-        FlightSample {
-            time_ns: (t_s * 1e9).round() as u64,
-            truth: Truth {
-                position_m: [planar.x, 0.0, planar.z],
-                velocity_mps: [planar.vx, 0.0, planar.vz],
-                attitude_wxyz: [cos, 0.0, sin, 0.0],
-                planar,
-                ..Truth::default()
-            },
-            ..FlightSample::default()
-        }
-    };
-    FlightLog { samples: flight().into_iter().map(sample).collect(), ..FlightLog::default() }
-}
-
-fn mcap() -> Vec<u8> {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("flight.mcap");
-    write_mcap(&log(), &path).expect("written");
-    fs::read(path).expect("readable")
-}
-
-fn measured(flight: &Flight) -> Score {
-    let ends = Some((Goal::hover([0.0; 3]), Goal::hover([4.0, 0.0, 1.0])));
-    score(flight, ends, &Rules::default()).expect("a score")
-}
 
 #[test]
 fn both_readers_tell_of_the_same_flight() {
@@ -242,6 +191,30 @@ fn a_cut_mcap_is_read_as_far_as_it_is_whole() {
     assert!((measured(&nearly).score - 1.0).abs() < 5e-4);
 }
 
+/// A log of other limits than those given is remarked on. A learned table's limits are commands, and say nothing of them.
+#[test]
+fn the_limits_of_a_plan_are_told_and_those_of_a_learned_table_are_not() {
+    let planned = pack(&maneuver(), 0, 0.0).expect("it fits");
+    for (kind, told) in [(Kind::Extremal, true), (Kind::Learned, false)] {
+        let mut table = planned.clone();
+        table.kind = kind;
+        let mut bytes = [0; MAX_TABLE_BYTES];
+        let length = table.encode(&mut bytes).expect("room");
+        let mut log = log();
+        log.header.table = bytes[..length].to_vec();
+        log.header.maneuver_start_ns = Some(500_000_000);
+        let flight = read_mcap(&written(&log)).expect("MCAP");
+        let stronger = Limits { thrust_max_mps2: 25.0, ..Limits::TABLE_I };
+        let remarks =
+            score(&flight, None, &Rules { limits: stronger, ..Rules::default() }).expect("a score").remarks;
+        let other = remarks
+            .iter()
+            .any(|r| matches!(r, Remark::OtherLimits(limits) if limits.thrust_max_mps2 == 20.0));
+        assert_eq!(other, told, "{remarks:?}");
+        assert!(score(&flight, None, &Rules::default()).expect("a score").remarks.is_empty());
+    }
+}
+
 /// A wrong bit in a chunk: nothing of that chunk is believed.
 #[test]
 fn a_damaged_mcap_is_not_believed() {
@@ -289,107 +262,6 @@ fn files_that_are_no_logs_are_told_apart() {
         flight.remarks
     );
     assert!((measured(&flight).score - 1.0).abs() < 2e-3);
-}
-
-fn scaled(time: f64, length: f64, speed: f64, angle: f64) -> Result<Score, BenchmarkError> {
-    let mut text = String::from("t_s,x_m,vx_mps,z_m,vz_mps,theta_rad\n");
-    for (t, State { x, vx, z, vz, theta }) in flight() {
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{},{}",
-            t * time,
-            x * length,
-            vx * speed,
-            z * length,
-            vz * speed,
-            theta * angle
-        );
-    }
-    let rules = Rules { largest_gap_s: 1e9, dwell_s: 0.3 * time.min(1.0), ..Rules::default() };
-    let ends = Some((Goal::hover([0.0; 3]), Goal::hover([4.0 * length, 0.0, length])));
-    score(&read_csv(text.as_bytes()).expect("CSV"), ends, &rules)
-}
-
-/// Units that a header gets wrong show in physics.
-#[test]
-fn confused_units_are_told() {
-    assert!(scaled(1.0, 1.0, 1.0, 1.0).is_ok_and(|s| s.remarks.is_empty()));
-    // Time in ms or µs, called s; the reverse; positions in mm or cm, called m.
-    for (time, length) in [(1e3, 1.0), (1e6, 1.0), (1e-3, 1.0), (1.0, 1e3), (1.0, 100.0)] {
-        let refused = scaled(time, length, 1.0, 1.0);
-        assert!(matches!(refused, Err(BenchmarkError::Velocities { .. })), "{time} {length}: {refused:?}");
-    }
-    // Without velocities to contradict: consistent, and beyond any vehicle.
-    for (time, length) in [(0.1, 1.0), (1.0, 100.0)] {
-        let refused = scaled(time, length, length / time, 1.0);
-        let thrust = matches!(refused, Err(BenchmarkError::Thrust { .. }));
-        assert!(
-            thrust || matches!(refused, Err(BenchmarkError::NeverThere(_))),
-            "{time} {length}: {refused:?}"
-        );
-    }
-    // The pitch of aeroplanes, nose up.
-    let mirrored = scaled(1.0, 1.0, 1.0, -1.0).expect("a score");
-    let told = mirrored.remarks.iter().any(|r| matches!(r, Remark::Misaligned { mirrored: true, .. }));
-    assert!(told, "{:?}", mirrored.remarks);
-    // Time stretched a hundredfold, with the velocities that belong to it: a vehicle that tilts and does not move.
-    let slow = scaled(100.0, 1.0, 0.01, 1.0).expect("a score");
-    let told = slow.remarks.iter().any(|r| matches!(r, Remark::Misaligned { mirrored: false, .. }));
-    assert!(told, "{:?}", slow.remarks);
-}
-
-#[test]
-fn states_that_do_not_occur_are_told_with_the_nearest() {
-    let flight = read_csv(csv().as_bytes()).expect("CSV");
-    let rules = Rules::default();
-    let (start, end) = (Goal::hover([0.0; 3]), Goal::hover([4.0, 0.0, 1.0]));
-    let never = score(&flight, Some((start, Goal::hover([4.3, 0.0, 1.0]))), &rules).expect_err("not there");
-    assert!(never.to_string().contains("0.300 m"), "{never}");
-    let exchanged = score(&flight, Some((end, start)), &rules).expect_err("the wrong way round");
-    assert!(exchanged.to_string().contains("exchange"), "{exchanged}");
-    // A tenth of a second after the arrival the log ends.
-    let early = flight.window(0.0, 0.6 + maneuver().duration_s()).expect("a window");
-    let cut = score(&early, Some((start, end)), &rules).map(|s| s.leg.arrival_s);
-    assert!(matches!(cut, Err(BenchmarkError::NotHeld { arrived_s: Some(_), .. })), "{cut:?}");
-    assert!(matches!(flight.window(9.0, 10.0), Err(BenchmarkError::Window { .. })));
-    let same = score(&flight, Some((start, Goal::hover([0.05, 0.0, 0.0]))), &rules);
-    assert!(matches!(same, Err(BenchmarkError::SameStates)));
-}
-
-#[test]
-fn gaps_and_repeated_flights_are_told() {
-    let mut text = String::from("t_s,x_m,vx_mps,z_m,vz_mps,theta_rad\n");
-    let mut holed = text.clone();
-    let (_, last) = *flight().last().expect("samples");
-    let duration_s = flight().len() as f64 / RATE_HZ;
-    for round in 0..2 {
-        for (t, State { x, vx, z, vz, theta }) in flight() {
-            let line = format!("{},{x},{vx},{z},{vz},{theta}\n", t + 2.0 * duration_s * f64::from(round));
-            text += &line;
-            if round == 0 && !(1.0..1.12).contains(&t) {
-                holed += &line;
-            }
-        }
-        // Carried back by hand, slowly.
-        for i in 0..200 {
-            let t = duration_s * (1.0 + f64::from(i) / 200.0 + 2.0 * f64::from(round));
-            let part = 1.0 - f64::from(i) / 200.0;
-            text += &format!("{t},{},{},{},{},0\n", last.x * part, -0.5, last.z * part, 0.0);
-        }
-    }
-    let ends = Some((Goal::hover([0.0; 3]), Goal::hover([4.0, 0.0, 1.0])));
-    let flight = read_csv(text.as_bytes()).expect("CSV");
-    let Err(BenchmarkError::SeveralLegs(legs)) = score(&flight, ends, &Rules::default()) else {
-        panic!("two flights")
-    };
-    assert_eq!(legs.len(), 2);
-    for leg in legs {
-        let part = flight.window(leg.departure_s - 0.1, leg.arrival_s + 0.6).expect("a window");
-        assert!((measured(&part).score - 1.0).abs() < 5e-4);
-    }
-    let holed = read_csv(holed.as_bytes()).expect("CSV");
-    let refused = score(&holed, ends, &Rules::default());
-    assert!(matches!(refused, Err(BenchmarkError::Gap { .. })), "{refused:?}");
 }
 
 proptest! {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use mintime::figures::{Drawn, Figure};
+use mintime::learning::{ANGLE_TOLERANCE_RAD, POSITION_TOLERANCE_M, VELOCITY_TOLERANCE_MPS};
 use mintime::solver::sweep::solve_beside;
 use mintime::solver::{Request, solve};
 use resvg::tiny_skia::Pixmap;
@@ -213,19 +214,40 @@ fn fig_6_obeys_the_control_laws() {
     }
 }
 
+/// Before learning it comes near, no more; learned it ends where it was planned to end, as near as learning promises.
 #[test]
 fn fig_7_is_the_same_maneuver_flown() {
     let rows = table(Figure::Fig7, "fig7");
     let of = |which: &str| -> Vec<&Row> { rows.iter().filter(|r| r["which"] == which).collect() };
-    let (planned, flown) = (of("planned"), of("flown"));
+    let at = |rows: &[&Row], t_s: f64, column: &str| {
+        let after = rows.partition_point(|r| number(r, "t_s") < t_s);
+        let (a, b) = (rows[after - 1], rows[after]);
+        let part = (t_s - number(a, "t_s")) / (number(b, "t_s") - number(a, "t_s"));
+        number(a, column) + part * (number(b, column) - number(a, column))
+    };
+    let place =
+        |rows: &[&Row], t_s: f64, to: f64| (at(rows, t_s, "x_m") - to).hypot(at(rows, t_s, "z_m") - to);
+    let speed = |rows: &[&Row], t_s: f64| at(rows, t_s, "vx_mps").hypot(at(rows, t_s, "vz_mps"));
+    let (planned, unlearned, learned) = (of("planned"), of("unlearned"), of("learned"));
     let end = planned.last().expect("a plan");
     assert!((number(end, "x_m") - 5.0).abs() < 1e-8 && (number(end, "z_m") - 5.0).abs() < 1e-8);
-    let start = flown.iter().find(|r| number(r, "t_s") >= 0.0).expect("a flight");
-    assert!(number(start, "x_m").abs() < 0.01 && number(start, "z_m").abs() < 0.01);
-    // Nothing learned: it comes near, no more.
-    let at_end = flown.iter().find(|r| number(r, "t_s") >= number(end, "t_s")).expect("it lasts to T");
-    let miss_m = (number(at_end, "x_m") - 5.0).hypot(number(at_end, "z_m") - 5.0);
+    for flown in [&unlearned, &learned] {
+        assert!(place(flown, 0.0, 0.0) < 0.01 && speed(flown, 0.0) < 0.05);
+    }
+    let quoted =
+        |what: &str| drawn(Figure::Fig7).numbers().iter().find(|n| n.what == what).expect(what).value;
+    let (planned_s, learned_s) = (quoted("planned T ="), quoted("learned T ="));
+    assert!((number(end, "t_s") - planned_s).abs() < 1e-9);
+    assert!(learned_s > planned_s && learned_s < 1.04 * planned_s, "{learned_s}");
+    let miss_m = place(&unlearned, planned_s, 5.0);
     assert!((0.1..2.0).contains(&miss_m), "{miss_m} m");
+    assert!((miss_m - quoted("first flight, position error at T")).abs() < 2e-3, "{miss_m}");
+    let (miss_m, miss_mps) = (place(&learned, learned_s, 5.0), speed(&learned, learned_s));
+    assert!(miss_m < POSITION_TOLERANCE_M, "{miss_m} m");
+    assert!(miss_mps < VELOCITY_TOLERANCE_MPS, "{miss_mps} m/s");
+    assert!(at(&learned, learned_s, "theta_rad").abs() < ANGLE_TOLERANCE_RAD);
+    assert!((miss_m - quoted("learned flight, position error at T")).abs() < 2e-3, "{miss_m}");
+    assert!((1.0..=10.0).contains(&quoted("flights that taught:")));
 }
 
 #[test]

@@ -49,6 +49,21 @@ fn at(times: &[f32], values: &[f32], t: f32) -> f32 {
     values[after - 1] + (values[after] - values[after - 1]) * part
 }
 
+/// A key number of the page.
+fn fact(data: &Value, label: &str) -> Option<String> {
+    let facts = data["facts"].as_array().expect("a list");
+    let found = facts.iter().find(|fact| fact["label"] == label)?;
+    Some(found["value"].as_str().expect("text").to_owned())
+}
+
+/// The greatest speed that a page's curves show while its maneuver lasted, m/s, with two decimals as its key numbers.
+fn peak_speed(data: &Value, source: &str) -> String {
+    let [t, vx, vz] = ["t", "vx", "vz"].map(|name| column(data, &format!("/{source}/{name}")));
+    let duration_s = data["duration_s"].as_f64().expect("T") as f32;
+    let during = t.iter().zip(vx.iter().zip(&vz)).filter(|(t, _)| (0.0..=duration_s).contains(*t));
+    format!("{:.2} m/s", during.map(|(_, (vx, vz))| vx.hypot(*vz)).fold(0.0, f32::max))
+}
+
 #[test]
 fn the_page_says_what_was_flown() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -80,6 +95,11 @@ fn the_page_says_what_was_flown() {
             "{name}: {flown} − {planned}, not {error}"
         );
     }
+    assert_eq!(fact(&data, "peak speed, planned"), Some(peak_speed(&data, "plan")));
+    assert_eq!(fact(&data, "peak speed, flown"), None);
+    let pitch_rad =
+        answer.pointer("/flight/final_error/theta_rad").and_then(Value::as_f64).expect("a number");
+    assert_eq!(fact(&data, "end error, pitch"), Some(format!("{:.4} rad", pitch_rad.abs())));
     // Cameras see what truth is, with their noise.
     let (times, seen) = (column(&data, "/cameras/t"), column(&data, "/cameras/x"));
     let (true_times, true_x) = (column(&data, "/flight/t"), column(&data, "/flight/x"));
@@ -124,6 +144,9 @@ fn the_page_of_what_was_learned_has_every_flight() {
             "{errors:?}, not {expected:?}"
         );
     }
+    // What the model would do in the plan's stead is no speed of this maneuver.
+    assert_eq!(fact(&data, "peak speed, planned"), None);
+    assert_eq!(fact(&data, "peak speed, flown"), Some(peak_speed(&data, "flight")));
     // The flight that is shown is the last one: one flight, from its beginning to its end.
     assert_eq!(data["success"], true);
     let texts: Vec<_> =

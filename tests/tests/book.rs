@@ -81,6 +81,17 @@ fn every_page_stands_in_the_table_of_contents_once() {
     assert_eq!(listed, pages, "docs/SUMMARY.md lists other pages than there are in docs");
 }
 
+/// Links to sources, like `../shared/src/frames.rs`, lead to them from the book, too: it lies beside the pages' folder.
+#[test]
+fn the_book_lies_where_links_to_sources_hold() {
+    let settings = read(&root().join("docs/book.toml"));
+    let folder = settings.lines().find_map(|line| line.strip_prefix("build-dir = ")).expect("a folder");
+    let beside = folder.trim_matches('"').strip_prefix("../").expect("beside docs");
+    assert!(
+        !beside.contains('/') && read(&root().join(".gitignore")).lines().any(|l| l == format!("/{beside}/"))
+    );
+}
+
 #[test]
 fn every_link_leads_somewhere() {
     let root = root();

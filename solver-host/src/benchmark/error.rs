@@ -147,6 +147,16 @@ pub enum BenchmarkError {
         /// The limit, m/s².
         limit_mps2: f64,
     },
+    /// Motion that the thrust, in the plane of the maneuver, does not explain.
+    #[error("{}", across(*.across_mps2, *.most_mps2, *.mirrored))]
+    Across {
+        /// Root mean square of the acceleration across the thrust, in the plane and out of it, m/s².
+        across_mps2: f64,
+        /// The most allowed, m/s².
+        most_mps2: f64,
+        /// Whether the opposite sign of the pitch would fit much better.
+        mirrored: bool,
+    },
     /// There is no T*.
     #[error("the fastest maneuver between the two states could not be computed: {0}")]
     Solve(#[from] SolveError),
@@ -189,6 +199,18 @@ fn not_held(dwell_s: f64, arrived_s: Option<f64>, last_s: f64) -> String {
              shorter --dwell, or wider tolerances"
         ),
     }
+}
+
+fn across(across_mps2: f64, most_mps2: f64, mirrored: bool) -> String {
+    let cure = if mirrored {
+        "with the opposite sign of the pitch it is much less, so theta must be made positive nose-down, towards +x"
+    } else {
+        "check the units of time, position and angle, and that the flight stays in one vertical plane"
+    };
+    format!(
+        "the motion accelerates {across_mps2:.1} m/s² (rms) across the vehicle's thrust in the plane of the maneuver, more than \
+         {most_mps2:.1} m/s², drag included: a quadrotor accelerates along its thrust, so T / T* would mean nothing; {cure} (--across allows more)"
+    )
 }
 
 fn legs(legs: &[Leg]) -> String {

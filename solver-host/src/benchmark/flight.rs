@@ -80,8 +80,9 @@ pub struct Declared {
     pub displacement: State<f64>,
     /// Heading of the plane, rad from x towards y.
     pub heading_rad: f64,
-    /// Limits it was planned with.
-    pub limits: Limits<f64>,
+    /// Limits it was planned with; `None` of a learned one, whose table holds commands: what it takes of a vehicle to make
+    /// the planned thrust.
+    pub limits: Option<Limits<f64>>,
 }
 
 /// What a reader did beyond reading, and what a user should know about a result.
@@ -103,9 +104,9 @@ pub enum Remark {
         /// How many.
         samples: usize,
     },
-    /// Motion and attitude contradict each other.
+    /// Motion and attitude contradict each other, but not so much that they are refused.
     Misaligned {
-        /// Root mean square of the acceleration across the thrust axis, m/s².
+        /// Root mean square of the acceleration across the thrust, in the plane and out of it, m/s².
         across_mps2: f64,
         /// Whether the opposite sign of the pitch would fit much better.
         mirrored: bool,
@@ -131,13 +132,13 @@ impl fmt::Display for Remark {
             Self::Unseen { samples } => write!(f, "{samples} samples hold no pose and were left out"),
             Self::Misaligned { across_mps2, mirrored: true } => write!(
                 f,
-                "the motion accelerates {across_mps2:.1} m/s² (rms) across the vehicle's thrust axis, and much less with \
+                "the motion accelerates {across_mps2:.1} m/s² (rms) across the vehicle's thrust, and much less with \
                  the opposite sign of the pitch: theta must be positive nose-down, towards +x"
             ),
             Self::Misaligned { across_mps2, mirrored: false } => write!(
                 f,
-                "the motion accelerates {across_mps2:.1} m/s² (rms) across the vehicle's thrust axis, which no quadrotor \
-                 does: check the units of time, position and angle"
+                "the motion accelerates {across_mps2:.1} m/s² (rms) across the vehicle's thrust in the plane of the maneuver, more \
+                 than drag explains: check the units of time, position and angle"
             ),
             Self::FasterThanOptimal => f.write_str(
                 "the flight is faster than the fastest possible: the vehicle can do more than the limits given say \

@@ -1,11 +1,11 @@
 //! The linear controller's score over a grid of displacements.
 
 use std::fmt::Write as _;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::error::BenchmarkError;
 use super::linear::{Gains, durations_linear};
 use super::score::Rules;
+use crate::parallel;
 
 /// Displacements from rest to rest: the points of a grid, in rows of equal z from low to high.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +68,8 @@ pub struct ScoreMap {
     pub cells: Vec<Cell>,
 }
 
-/// Flies the controller to every point of a grid, on all cores. `progress` is told after each point.
+/// Flies the controller to every point of a grid, on all cores. `progress` hears how many points have been done since it
+/// heard last.
 ///
 /// # Errors
 /// Gains and rules that are wrong for all points: [`Gains::validate`], [`Rules::validate`].
@@ -76,31 +77,13 @@ pub fn map_linear(
     gains: &Gains,
     rules: &Rules,
     grid: Grid,
-    progress: impl Fn() + Sync,
+    progress: impl Fn(usize) + Sync,
 ) -> Result<ScoreMap, BenchmarkError> {
     gains.validate()?;
     rules.validate()?;
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= grid.len() {
-                return done;
-            }
-            let (x_m, z_m) = grid.point(index);
-            done.push((index, cell(gains, rules, x_m, z_m)));
-            progress();
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    let mut done: Vec<(usize, Cell)> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
-        // A worker that panicked would be a defect of the solver; the missing points show it.
-        threads.into_iter().flat_map(|t| t.join().unwrap_or_default()).collect()
-    });
-    done.sort_by_key(|(index, _)| *index);
-    Ok(ScoreMap { cells: done.into_iter().map(|(_, cell)| cell).collect(), grid })
+    let points: Vec<(f64, f64)> = (0..grid.len()).map(|index| grid.point(index)).collect();
+    let cells = parallel::map(&points, |(x_m, z_m)| cell(gains, rules, *x_m, *z_m), progress);
+    Ok(ScoreMap { cells, grid })
 }
 
 fn cell(gains: &Gains, rules: &Rules, x_m: f64, z_m: f64) -> Cell {

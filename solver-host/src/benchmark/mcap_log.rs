@@ -6,7 +6,7 @@ use mcap::McapError;
 use mcap::read::{ChunkFlattener, Options};
 use mcap::records::Record;
 use mintime_shared::model::State;
-use mintime_shared::table::ManeuverTable;
+use mintime_shared::table::{Kind, ManeuverTable};
 use serde::Deserialize;
 
 use super::builder::{Attitude, Builder};
@@ -170,7 +170,7 @@ fn declared(facts: &BTreeMap<String, String>) -> Option<Declared> {
         displacement: end.minus(start),
         // A learned table's own heading may make up for an askew gyro.
         heading_rad: asked.unwrap_or(f64::from(table.heading_rad)),
-        limits: table.limits.cast(),
+        limits: (table.kind != Kind::Learned).then(|| table.limits.cast()),
     })
 }
 

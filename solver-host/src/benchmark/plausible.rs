@@ -1,10 +1,12 @@
 //! Whether a flight can be what it says it is: units and signs that were confused show in physics.
 
-use mintime_shared::model::Limits;
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::Vector3;
 
 use super::error::BenchmarkError;
-use super::flight::{Remark, Sample};
+use super::flight::{Remark, Sample, along};
+use super::score::Rules;
 
 /// Time over which accelerations are taken, s: twice that over which velocities are fitted.
 const WINDOW_S: f64 = 0.04;
@@ -12,15 +14,20 @@ const WINDOW_S: f64 = 0.04;
 const VELOCITY_FACTOR: f64 = 1.5;
 /// A motion may ask for this many times the largest thrust before it is refused: limits are often given low.
 const THRUST_FACTOR: f64 = 2.0;
-/// Acceleration across the thrust axis beyond which a log contradicts itself, m/s² rms: drag at 10 m/s is about 3.
-const ACROSS_MPS2: f64 = 4.0;
+/// Acceleration across the thrust from which on a log is remarked on, m/s² rms, beside what drag explains.
+const REMARKED_MPS2: f64 = 2.0;
+/// Drag of a quadrotor's rotors over its speed, 1/s: 0.2 to 0.5 in the literature.
+const DRAG_PER_S: f64 = 0.4;
 
-/// Refuses motions that are no quadrotor's; `derived` says that the velocities are the positions' own.
+/// Refuses motions that are no planar quadrotor's in the plane of this heading; `derived` says that the velocities are the
+/// positions' own.
 pub(super) fn check(
     samples: &[Sample],
-    limits: &Limits<f64>,
+    heading_rad: f64,
+    rules: &Rules,
     derived: bool,
 ) -> Result<Option<Remark>, BenchmarkError> {
+    let limits = &rules.limits;
     if !derived {
         velocities(samples)?;
     }
@@ -35,12 +42,22 @@ pub(super) fn check(
             limit_mps2: limits.thrust_max_mps2,
         });
     }
-    let across_mps2 = rms(&windows, |axis| axis);
-    if across_mps2 <= ACROSS_MPS2 {
+    // The planning model accelerates in its plane and along the thrust only: what is left of the axis there explains it.
+    let aside = along(heading_rad + FRAC_PI_2);
+    let planar = |axis: Vector3<f64>| (axis - aside * axis.dot(&aside)).try_normalize(1e-9).unwrap_or(axis);
+    let across_mps2 = rms(&windows, planar);
+    let squares: f64 = samples.iter().map(|s| s.velocity_mps.norm_squared()).sum();
+    let drag_mps2 = DRAG_PER_S * (squares / samples.len().max(1) as f64).sqrt();
+    if across_mps2 <= REMARKED_MPS2.min(rules.across_mps2) + drag_mps2 {
         return Ok(None);
     }
-    let opposite = rms(&windows, |axis| Vector3::new(-axis.x, -axis.y, axis.z));
-    Ok(Some(Remark::Misaligned { across_mps2, mirrored: opposite < 0.5 * across_mps2 }))
+    let opposite = rms(&windows, |axis| planar(Vector3::new(-axis.x, -axis.y, axis.z)));
+    let mirrored = opposite < 0.5 * across_mps2;
+    let most_mps2 = rules.across_mps2 + drag_mps2;
+    if across_mps2 > most_mps2 {
+        return Err(BenchmarkError::Across { across_mps2, most_mps2, mirrored });
+    }
+    Ok(Some(Remark::Misaligned { across_mps2, mirrored }))
 }
 
 /// Distances by velocity against distances by position.

@@ -28,10 +28,13 @@ pub struct Rules {
     pub largest_gap_s: f64,
     /// Largest distance from the vertical plane through the two states, m.
     pub out_of_plane_m: f64,
+    /// Largest acceleration that the thrust does not explain, across it in the plane and out of the plane, m/s² rms.
+    pub across_mps2: f64,
 }
 
 impl Default for Rules {
-    /// The paper's Table I, any winding, 0.3 s at rest (as long as `mintime fly` asks for), gaps up to 0.1 s, 0.25 m beside the plane.
+    /// The paper's Table I, any winding, 0.3 s at rest (as long as `mintime fly` asks for), gaps up to 0.1 s, 0.25 m beside the plane,
+    /// 6 m/s² across the thrust.
     fn default() -> Self {
         Self {
             limits: Limits::TABLE_I,
@@ -41,6 +44,7 @@ impl Default for Rules {
             dwell_s: 0.3,
             largest_gap_s: 0.1,
             out_of_plane_m: 0.25,
+            across_mps2: 6.0,
         }
     }
 }
@@ -63,6 +67,7 @@ impl Rules {
             (dwell_s, "the dwell time"),
             (self.largest_gap_s, "the largest gap"),
             (self.out_of_plane_m, "the distance out of the plane"),
+            (self.across_mps2, "the acceleration across the thrust"),
         ] {
             if !(value.is_finite() && value > 0.0) {
                 return Err(BenchmarkError::NotPositive(name));
@@ -121,7 +126,7 @@ pub fn score(flight: &Flight, ends: Option<(Goal, Goal)>, rules: &Rules) -> Resu
     if score < 1.0 - FASTER {
         remarks.push(Remark::FasterThanOptimal);
     }
-    let planned = flight.declared.map(|declared| declared.limits);
+    let planned = flight.declared.and_then(|declared| declared.limits);
     remarks.extend(planned.filter(|planned| differ(planned, &rules.limits)).map(Remark::OtherLimits));
     Ok(Score {
         leg,
@@ -173,11 +178,10 @@ impl Piece {
         let leg = find_leg(flight, &start, &end, &rules.tolerance, rules.arrival.unwrap_or(default))?;
         check_gaps(flight, leg, rules.largest_gap_s)?;
         let samples = flight.between(leg.departure_s, leg.arrival_s);
-        let derived = flight.remarks.contains(&Remark::VelocitiesDerived);
-        let implausible = plausible::check(&samples, &rules.limits, derived)?;
-
         let origin = start.sample.position_m;
         let heading_rad = heading(&start, &end, &samples, &rules.tolerance);
+        let derived = flight.remarks.contains(&Remark::VelocitiesDerived);
+        let implausible = plausible::check(&samples, heading_rad, rules, derived)?;
         let aside = |s: &Sample| (s.position_m - origin).dot(&along(heading_rad + FRAC_PI_2)).abs();
         let farthest = samples.iter().map(|s| (aside(s), s.t_s)).max_by(|a, b| a.0.total_cmp(&b.0));
         let (out_of_plane_m, t_s) = farthest.unwrap_or_default();

@@ -118,12 +118,13 @@ pub(crate) fn report(mission: &Mission, flown: &Flown) -> ReportData {
         ("turns".to_owned(), flown.turns().to_string()),
         ("segments".to_owned(), table.segments().len().to_string()),
         ("table".to_owned(), format!("{} bytes", flown.prepared.bytes.len())),
-        ("peak speed".to_owned(), format!("{:.2} m/s", flown.prepared.extent.peak_speed_mps)),
     ];
+    let speed = flown.peak_speed_mps();
+    facts.extend(speed.map(|(name, speed_mps)| (name.to_owned(), format!("{speed_mps:.2} m/s"))));
     if let Some(e) = flown.final_error() {
         facts.push(("end error, position".to_owned(), format!("{:.3} m", e.x_m.hypot(e.z_m))));
         facts.push(("end error, velocity".to_owned(), format!("{:.3} m/s", e.vx_mps.hypot(e.vz_mps))));
-        facts.push(("end error, pitch".to_owned(), format!("{:.4} rad", e.theta_rad)));
+        facts.push(("end error, pitch".to_owned(), format!("{:.4} rad", e.theta_rad).replace('-', "−")));
     }
     let outcome = flown.outcome();
     ReportData {
@@ -160,7 +161,7 @@ pub(crate) fn target(prepared: &Prepared) -> String {
     }
     let (sin, cos) = heading_rad.sin_cos();
     let (ahead, left) = (f64::from(x) * cos, f64::from(x) * sin);
-    format!("x = {ahead:.3} m, y = {left:.3} m, z = {z} m (heading {:.1}°)", heading_rad.to_degrees())
+    format!("x = {ahead:.3} m, y = {left:.3} m, z = {z} m (heading {heading_rad:.4} rad)")
 }
 
 /// The structure of a table in one line: `+max 0.051 s, singular max 0.724 s, ...`.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use mintime::mission::{Flown, PROTOCOL, PlanarError};
+use mintime_shared::table::Kind;
 use serde_json::{Value, json};
 
 use super::recording::{structure, target};
@@ -78,12 +79,13 @@ pub(crate) fn text(flown: &Flown, firmware_log: bool, files: &[&Path]) -> String
         format!("segments   {} (s)", structure(prepared)),
         format!("table      {} bytes", prepared.bytes.len()),
         format!(
-            "path       x {:.2}..{:.2} m, z {:.2}..{:.2} m, peak speed {:.2} m/s, {:.2} m more to catch",
+            "path       x {:.2}..{:.2} m, z {:.2}..{:.2} m, peak speed {:.2} m/s{}, {:.2} m more to catch",
             extent.x_m.0,
             extent.x_m.1,
             extent.z_m.0,
             extent.z_m.1,
             extent.peak_speed_mps,
+            if table.kind == Kind::Learned { " (of the model, not of the flight)" } else { "" },
             extent.catch_distance_m(),
         ),
     ];

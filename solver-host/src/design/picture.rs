@@ -1,7 +1,9 @@
 //! A study's picture: for each parameter T above, and its elasticity below.
 
+use std::f64::consts::TAU;
+
 use super::{Curve, Found, Maneuver, Parameter, Point, Study};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::plot::{Axes, Plot};
@@ -29,7 +31,9 @@ pub(super) fn draw(study: &Study) -> String {
             "Each limit varied alone; the dots are the vehicle: {} and {} m/s² of greatest and least thrust per mass, {} rad/s.",
             limits.thrust_max_mps2, limits.thrust_min_mps2, limits.rate_max_radps
         ),
-        "Below, the elasticity: by how many per cent T changes where the limit changes by one. It jumps where the number of turns changes."
+        "Below, the elasticity: by how many per cent T changes where the limit changes by one. It jumps where the number of full turns changes,"
+            .to_owned(),
+        "and where a full turn of pitch takes all of T: T = 2π/ω_{max}, which more thrust does not shorten."
             .to_owned(),
     ];
     let mut svg = Svg::default();
@@ -64,16 +68,14 @@ pub(super) fn draw(study: &Study) -> String {
             y: Range { low: 0.0, high: 1.05 * longest.high },
         };
         let label = format!("{} ({})", words(parameter), parameter.unit());
-        let first = i == 0;
-        upper.axes(&mut svg, &Axes { x: None, y: if first { "T (s)" } else { "" }, steps: Steps::Decimal });
+        upper.axes(&mut svg, &Axes { x: None, y: "T (s)" });
         panel(&mut svg, study, parameter, &upper, (&format!("duration{i}"), false), duration);
         let lower = Plot {
             rect: Rect { x, y: top + HEIGHTS.0 + 24.0, width, height: HEIGHTS.1 },
             x: along,
             y: range(study, Some(parameter), elasticity).and(Range::of([0.0])).at_least(0.01).padded(0.06),
         };
-        let below = if first { "elasticity (% per %)" } else { "" };
-        lower.axes(&mut svg, &Axes { x: Some(&label), y: below, steps: Steps::Decimal });
+        lower.axes(&mut svg, &Axes { x: Some(&label), y: "elasticity (% per %)" });
         panel(&mut svg, study, parameter, &lower, (&format!("elasticity{i}"), true), elasticity);
     }
     let height = top + HEIGHTS.0 + 24.0 + HEIGHTS.1 + AXIS_BELOW + MARGIN;
@@ -123,9 +125,15 @@ fn panel(
         svg.line((x, plot.rect.y), (x, plot.rect.bottom()), &vehicle_line());
         for (maneuver, stroke) in study.maneuvers.iter().zip(STROKES) {
             let Some(curve) = curve(maneuver, parameter) else { continue };
-            // A gap where there is no maneuver; derivatives jump where another number of turns takes over.
+            // Derivatives jump where another number of turns takes over, and where T is no longer than its turns.
+            let turns = |point: &Point, found: &Found| {
+                let rate_radps = parameter.set(&study.limits, point.value).rate_max_radps;
+                let turning_s = TAU * f64::from(found.turns.abs()) / rate_radps;
+                (found.turns.abs(), found.duration_s <= turning_s * (1.0 + 1e-6))
+            };
+            // A gap where there is no maneuver.
             let joined = |a: &Point, b: &Point| match (&a.outcome, &b.outcome) {
-                (Ok(a), Ok(b)) => !jumps || a.turns.abs() == b.turns.abs(),
+                (Ok(found), Ok(next)) => !jumps || turns(a, found) == turns(b, next),
                 _ => false,
             };
             for group in curve.points.chunk_by(joined) {

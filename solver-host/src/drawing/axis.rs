@@ -49,32 +49,11 @@ impl Range {
     }
 }
 
-/// Which steps between ticks are nice.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Steps {
-    /// 1, 2 or 5 times a power of ten.
-    Decimal,
-    /// Parts of a turn: 1, 2, 5, 10, 15, 30, 45, 90 degrees and doubles of 90.
-    Degrees,
-}
-
-/// The smallest nice step that makes at most `most` intervals.
-pub(crate) fn nice_step(span: f64, most: f64, steps: Steps) -> f64 {
+/// The smallest step of 1, 2 or 5 times a power of ten that makes at most `most` intervals.
+pub(crate) fn nice_step(span: f64, most: f64) -> f64 {
     let wanted = span / most.max(1.0);
     if !(wanted.is_finite() && wanted > 0.0) {
         return 1.0;
-    }
-    if let Steps::Degrees = steps
-        && wanted > 1.0
-    {
-        let small = [2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0].into_iter().find(|step| *step >= wanted);
-        return small.unwrap_or_else(|| {
-            let mut step = 180.0;
-            while step < wanted {
-                step *= 2.0;
-            }
-            step
-        });
     }
     let power = 10_f64.powi(wanted.log10().floor() as i32);
     [1.0, 2.0, 5.0, 10.0]

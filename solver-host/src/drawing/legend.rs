@@ -29,6 +29,16 @@ impl Key {
         Self::new(format!(r#"<path d="M0 -5H{SAMPLE}" fill="none" {attributes}/>"#), text)
     }
 
+    /// An upright line with these stroke attributes.
+    pub(crate) fn upright(attributes: &str, text: impl Into<String>) -> Self {
+        Self::new(format!(r#"<path d="M17 -14V4" fill="none" {attributes}/>"#), text)
+    }
+
+    /// A dot of this radius.
+    pub(crate) fn dot(radius: f64, attributes: &str, text: impl Into<String>) -> Self {
+        Self::new(format!(r#"<circle cx="17" cy="-5" r="{radius}" {attributes}/>"#), text)
+    }
+
     /// An area of this colour.
     pub(crate) fn area(fill: &str, text: impl Into<String>) -> Self {
         let sample =

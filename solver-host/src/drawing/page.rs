@@ -12,7 +12,8 @@ pub(crate) fn document(width: f64, height: f64, title: &str, description: &str, 
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" font-family="{FONT}" role="img">"#
     ));
     page.raw(&format!("<title>{}</title>", escape(title)));
-    page.raw(&format!("<desc>{}</desc>", escape(description)));
+    // A description has no subscripts.
+    page.raw(&format!("<desc>{}</desc>", escape(&description.replace("_{", "_").replace('}', ""))));
     page.raw(&format!("<defs>{}</defs>", symbol::DEFINITION));
     page.rect(&Rect { x: 0.0, y: 0.0, width, height }, "fill=\"#ffffff\"");
     page.raw(&body.finish());

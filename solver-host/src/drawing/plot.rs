@@ -1,11 +1,13 @@
 //! A plot: a rectangle of the page that shows ranges of two quantities.
 
-use super::axis::{Range, Steps, nice_step, tick_label, ticks};
+use super::axis::{Range, nice_step, tick_label, ticks};
 use super::style::{FRAME, GRID, INK, SMALL_SIZE, TEXT_SIZE};
 use super::svg::{Anchor, Point, Rect, Svg, TextStyle};
 
 /// Least distance between ticks along and up, page units.
 const TICKS: (f64, f64) = (66.0, 26.0);
+/// Most intervals between ticks of an axis: more are not read.
+const MOST_INTERVALS: f64 = 18.0;
 
 /// A plot with two linear axes.
 #[derive(Clone, Copy, Debug)]
@@ -22,11 +24,19 @@ pub(crate) struct Axes<'a> {
     pub(crate) x: Option<&'a str>,
     /// Quantity and unit on the left.
     pub(crate) y: &'a str,
-    /// Which ticks are nice on the left.
-    pub(crate) steps: Steps,
 }
 
 impl Plot {
+    /// Both axes to one scale, these ranges in the middle.
+    pub(crate) fn to_scale(rect: Rect, x: Range, y: Range) -> Self {
+        let scale = (rect.width / x.span()).min(rect.height / y.span());
+        let around = |range: Range, length: f64| {
+            let half = 0.5 * length / scale;
+            Range { low: range.middle() - half, high: range.middle() + half }
+        };
+        Self { rect, x: around(x, rect.width), y: around(y, rect.height) }
+    }
+
     pub(crate) fn x(&self, value: f64) -> f64 {
         self.rect.x + (value - self.x.low) / self.x.span() * self.rect.width
     }
@@ -45,22 +55,42 @@ impl Plot {
 
     /// Grid, ticks and labels.
     pub(crate) fn axes(&self, svg: &mut Svg, axes: &Axes<'_>) {
+        self.axes_with(svg, axes, self.steps());
+    }
+
+    /// The same of axes to one scale: one step for both shows that they are.
+    pub(crate) fn axes_to_scale(&self, svg: &mut Svg, axes: &Axes<'_>) {
+        let (x, y) = self.steps();
+        self.axes_with(svg, axes, (x.max(y), x.max(y)));
+    }
+
+    /// Nice steps along and up.
+    fn steps(&self) -> (f64, f64) {
+        let step = |range: Range, length: f64, apart: f64| {
+            nice_step(range.span(), (length / apart).floor().min(MOST_INTERVALS))
+        };
+        (step(self.x, self.rect.width, TICKS.0), step(self.y, self.rect.height, TICKS.1))
+    }
+
+    fn axes_with(&self, svg: &mut Svg, axes: &Axes<'_>, (x_step, y_step): (f64, f64)) {
         let rect = self.rect;
         let small = TextStyle::new(SMALL_SIZE, INK);
         let grid = format!(r#"stroke="{GRID}""#);
-        let step = nice_step(self.x.span(), (rect.width / TICKS.0).floor(), Steps::Decimal);
-        for value in ticks(self.x, step) {
+        for value in ticks(self.x, x_step) {
             let x = self.x(value);
             svg.line((x, rect.y), (x, rect.bottom()), &grid);
             if axes.x.is_some() {
-                svg.text((x, rect.bottom() + 18.0), &tick_label(value, step), small.anchored(Anchor::Middle));
+                svg.text(
+                    (x, rect.bottom() + 18.0),
+                    &tick_label(value, x_step),
+                    small.anchored(Anchor::Middle),
+                );
             }
         }
-        let step = nice_step(self.y.span(), (rect.height / TICKS.1).floor(), axes.steps);
-        for value in ticks(self.y, step) {
+        for value in ticks(self.y, y_step) {
             let y = self.y(value);
             svg.line((rect.x, y), (rect.right(), y), &grid);
-            svg.text((rect.x - 8.0, y + 5.0), &tick_label(value, step), small.anchored(Anchor::End));
+            svg.text((rect.x - 8.0, y + 5.0), &tick_label(value, y_step), small.anchored(Anchor::End));
         }
         let label = TextStyle::new(TEXT_SIZE, INK);
         svg.text_upwards((rect.x - 48.0, rect.y + 0.5 * rect.height), axes.y, label);

@@ -28,6 +28,8 @@ pub(crate) const LIMIT: &str = "#7b8896";
 pub(crate) const GHOST: &str = "#b4bfca";
 /// Everything flown.
 pub(crate) const FLOWN: &str = "#d55e00";
+/// Flown before anything was learned.
+pub(crate) const UNLEARNED: &str = "#0072b2";
 /// Switching functions.
 pub(crate) const SWITCHING: &str = "#009e73";
 /// Background of singular arcs.

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::style::{INK, SMALL_SIZE};
+
 /// A point on the page, SVG units, y down.
 pub(crate) type Point = (f64, f64);
 
@@ -129,6 +131,15 @@ impl Svg {
     pub(crate) fn text_upwards(&mut self, at: Point, text: &str, style: TextStyle) {
         let rotation = format!(r#" transform="rotate(-90 {} {})""#, px(at.0), px(at.1));
         self.text_with(at, text, style.anchored(Anchor::Middle), &rotation);
+    }
+
+    /// The name of a level line, centred on the point and to be read over lines.
+    pub(crate) fn level_name(&mut self, at: Point, text: &str) {
+        self.open_group(
+            r##"stroke="#ffffff" stroke-width="7" stroke-linejoin="round" paint-order="stroke""##,
+        );
+        self.text(at, text, TextStyle::new(SMALL_SIZE, INK).anchored(Anchor::Middle).bold());
+        self.close_group();
     }
 
     fn text_with(&mut self, at: Point, text: &str, style: TextStyle, more: &str) {

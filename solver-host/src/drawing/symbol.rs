@@ -16,13 +16,13 @@ pub(crate) const DEFINITION: &str = concat!(
 
 /// Draws the vehicle, `span` units wide, with a part of its greatest thrust. Colour and opacity are those of the group it
 /// is drawn in.
-pub(crate) fn draw(svg: &mut Svg, at: Point, theta_deg: f64, span: f64, thrust: f64) {
+pub(crate) fn draw(svg: &mut Svg, at: Point, theta_rad: f64, span: f64, thrust: f64) {
     // θ turns the thrust axis from up towards +x: clockwise on the page, as SVG counts.
     svg.raw(&format!(
         r##"<g transform="translate({} {}) rotate({}) scale({})"><use href="#vehicle"/><path d="M0 0V{}" stroke-width=".03"/></g>"##,
         px(at.0),
         px(at.1),
-        px(theta_deg % 360.0),
+        px(theta_rad.to_degrees() % 360.0),
         px(span),
         px(-0.62 * thrust),
     ));
@@ -41,11 +41,11 @@ const LINES: [[Point; 2]; 5] = [
 pub(crate) fn draw_fine(
     svg: &mut Svg,
     at: Point,
-    (theta_deg, thrust): (f64, f64),
+    (theta_rad, thrust): (f64, f64),
     span: f64,
     [body, force]: [&str; 2],
 ) {
-    let (sin, cos) = theta_deg.to_radians().sin_cos();
+    let (sin, cos) = theta_rad.sin_cos();
     let turned = |(x, y): Point| (at.0 + span * (x * cos - y * sin), at.1 + span * (x * sin + y * cos));
     let path = |lines: &[[Point; 2]]| {
         lines.iter().fold(String::new(), |mut path, line| {

@@ -21,6 +21,8 @@ const PATH_STEP_S: f64 = 0.005;
 const PER_M: (f64, f64) = (112.0, 240.0);
 /// Heights shown, m.
 const SHOWN_M: (f64, f64) = (-0.45, 6.55);
+/// Between the enlargements, page units: for the axis of the one and the heading of the other.
+const BETWEEN: f64 = 78.0;
 /// Width of a column, page units.
 const COLUMN: f64 = 176.0;
 
@@ -118,16 +120,18 @@ pub(super) fn draw() -> Result<Content, FigureError> {
 
     let left = MARGIN + AXIS_LEFT + 4.0 * COLUMN + 62.0;
     let width = WIDTH - MARGIN - left;
-    let boxed = 0.5 * (height - 66.0);
+    let boxed = 0.5 * (height - BETWEEN);
     let enlarge = |svg: &mut Svg, row: f64, maneuver: &Maneuver, from: (f64, f64), name: &str, text: &str| {
-        let rect = Rect { x: left, y: top + row * (boxed + 66.0), width, height: boxed };
+        let rect = Rect { x: left, y: top + row * (boxed + BETWEEN), width, height: boxed };
         let plot = path::plane(rect, from, PER_M.1);
         path::grid(svg, &plot, (0.2, 0.2), (true, true));
         show(svg, &plot, maneuver, VEHICLE_STEP_S.1, name);
+        svg.text((left + 0.5 * width, rect.bottom() + 40.0), "x (m)", label.anchored(Anchor::Middle));
+        svg.text_upwards((left - 46.0, rect.y + 0.5 * boxed), "z (m)", label);
         svg.text((left, rect.y - 8.0), text, TextStyle::new(SMALL_SIZE, MUTED));
         plot
     };
-    let flip = enlarge(&mut svg, 0.0, &all[2], (-0.1, 3.3), "flip", "the flip of the 4 m maneuver, enlarged");
+    let flip = enlarge(&mut svg, 0.0, &all[2], (-0.1, 3.5), "flip", "the flip of the 4 m maneuver, enlarged");
     let swing =
         enlarge(&mut svg, 1.0, &all[1], (0.0, 1.5), "swing", "the swing of the 2 m maneuver, enlarged");
     for (column, zoom) in [(2.0, flip), (1.0, swing)] {

@@ -4,7 +4,7 @@ use super::bands::{self, Input};
 use super::line::{Family, Sample, changes_of, steps};
 use super::samples::switch_times;
 use super::{Content, FigureError, Number};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
@@ -70,7 +70,7 @@ fn panels(svg: &mut Svg, samples: &[Sample], top: f64) -> f64 {
     ] {
         let rect = Rect { x: MARGIN + AXIS_LEFT, y, width, height: PANEL };
         let plot = Plot { rect, x: Range { low: 0.0, high: 15.0 }, y: Range { low: 0.0, high: 2.0 } };
-        plot.axes(svg, &Axes { x: below, y: label, steps: Steps::Decimal });
+        plot.axes(svg, &Axes { x: below, y: label });
         bands::draw(svg, &plot, samples, input);
         marks(svg, &plot, &PAPER_CHANGES_M);
         plot.frame(svg);

@@ -9,7 +9,7 @@ use super::level::LevelClimb;
 use super::line::{Family, Sample, changes_of, steps};
 use super::samples::switch_times;
 use super::{Content, FigureError, Number};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
@@ -157,7 +157,7 @@ fn panels(svg: &mut Svg, samples: &[Sample], rows: &[Row<'_>], top: f64) -> f64 
         [(Input::Rate, "t (s) and pitch rate u_{R}"), (Input::Thrust, "t (s) and thrust u_{T}")]
     {
         let plot = Plot { rect: rect(PANELS[0]), x, y: Range { low: 0.0, high: 2.0 } };
-        plot.axes(svg, &Axes { x: None, y: label, steps: Steps::Decimal });
+        plot.axes(svg, &Axes { x: None, y: label });
         bands::draw(svg, &plot, samples, input);
         marks(svg, &plot, &PAPER_CHANGES_M);
         for turns in [0, 1] {
@@ -177,7 +177,7 @@ fn panels(svg: &mut Svg, samples: &[Sample], rows: &[Row<'_>], top: f64) -> f64 
         plot.frame(svg);
     }
     let plot = Plot { rect: rect(PANELS[2]), x, y: Range { low: 0.0, high: 4.0 } };
-    let axes = Axes { x: Some("displacement z_{T} (m)"), y: "paper's loss (%)", steps: Steps::Decimal };
+    let axes = Axes { x: Some("displacement z_{T} (m)"), y: "paper's loss (%)" };
     plot.axes(svg, &axes);
     let curve = plot.points(rows.iter().map(|r| (r.sample.at, r.excess_percent())));
     svg.curve(&curve, &format!(r#"class="paper" stroke="{PAPER}" {DASHED}"#));

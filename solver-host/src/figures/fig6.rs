@@ -5,7 +5,7 @@ use mintime_shared::model::RateMode;
 use super::samples::{Instant, times};
 use super::time_chart::{self, Curve, Panel};
 use super::{Content, FigureError, Number};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::csv::Csv;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
@@ -62,12 +62,13 @@ pub(super) fn draw() -> Result<Content, FigureError> {
     let mut svg = Svg::default();
     let y = page::heading(&mut svg, WIDTH, &title, &lines);
     let keys = [
-        Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8""#), "input or state"),
-        Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#), "z and v_{z}"),
+        Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8""#), "inputs, x, v_{x}, θ"),
+        Key::line(&format!(r#"stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#), "z, v_{z}"),
         Key::line(
             &format!(r#"stroke="{SWITCHING}" stroke-width="1.8" stroke-dasharray="6 3""#),
-            "switching function, scaled in the inputs' panels",
+            "Φ_{R}; Φ_{T}: switching functions, beside the inputs scaled",
         ),
+        Key::line(&time_chart::zero(), "their zero"),
         Key::line(&format!(r#"stroke="{LIMIT}" stroke-width="1.5" stroke-dasharray="7 5""#), "limit"),
         Key::area(SINGULAR, "singular arc"),
     ];
@@ -110,57 +111,60 @@ fn panels(extremal: &Extremal, samples: &[Sample]) -> [Panel; 6] {
     [
         Panel::of(
             "pitch rate (rad/s)",
-            Steps::Decimal,
             vec![
                 switching(&|s| s.phi_r * phi_r_scale, Some("Φ_{R}")),
                 curve(&|s| s.instant.rate_radps, None),
             ],
         )
-        .limited(&[-rate, rate]),
+        .limited(&[-rate, rate])
+        .with_zero(0.0),
         Panel::of(
             "position (m)",
-            Steps::Decimal,
             vec![
                 curve(&|s| s.instant.state.x, Some("x")),
                 Curve {
-                    stroke: format!(r#"class="input-or-state" stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#),
+                    stroke: format!(
+                        r#"class="input-or-state" stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#
+                    ),
                     ..curve(&|s| s.instant.state.z, Some("z"))
                 },
             ],
         ),
         Panel::of(
             "thrust (m/s²)",
-            Steps::Decimal,
             vec![
                 switching(&|s| middle + s.phi_t * phi_t_scale, Some("Φ_{T}")),
                 curve(&|s| s.instant.thrust_mps2, None),
             ],
         )
-        .limited(&[low, high]),
+        .limited(&[low, high])
+        .with_zero(middle),
         Panel::of(
             "velocity (m/s)",
-            Steps::Decimal,
             vec![
                 curve(&|s| s.instant.state.vx, Some("v_{x}")),
                 Curve {
-                    stroke: format!(r#"class="input-or-state" stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#),
+                    stroke: format!(
+                        r#"class="input-or-state" stroke="{INK}" stroke-width="1.8" stroke-dasharray="2 3""#
+                    ),
                     ..curve(&|s| s.instant.state.vz, Some("v_{z}"))
                 },
             ],
         ),
-        Panel::of("pitch θ (°)", Steps::Degrees, vec![curve(&|s| s.instant.state.theta.to_degrees(), None)]),
+        Panel::of("pitch θ (rad)", vec![curve(&|s| s.instant.state.theta, None)]),
         Panel::of(
             "Φ (dimensionless)",
-            Steps::Decimal,
             vec![
                 switching(&|s| s.phi_r, Some("Φ_{R}")),
                 Curve {
-                    stroke: format!(r#"class="switching" stroke="{SWITCHING}" stroke-width="1.8" stroke-dasharray="1.5 3""#),
+                    stroke: format!(
+                        r#"class="switching" stroke="{SWITCHING}" stroke-width="1.8" stroke-dasharray="2 3""#
+                    ),
                     ..curve(&|s| s.phi_t, Some("Φ_{T}"))
                 },
             ],
         )
-        .limited(&[0.0]),
+        .with_zero(0.0),
     ]
 }
 

@@ -27,6 +27,7 @@ use std::path::{Path, PathBuf};
 
 use crate::drawing::{PictureError, file};
 use crate::flight_log::{OutputError, write_whole};
+use crate::learning::{IdentifyError, PlanError, StopReason};
 use crate::mission::MissionError;
 use crate::solver::SolveError;
 
@@ -43,7 +44,7 @@ pub enum Figure {
     Fig5,
     /// Inputs, states and switching functions of the maneuver to (5 m, 5 m).
     Fig6,
-    /// The same maneuver flown.
+    /// The same maneuver flown: before learning, and after.
     Fig7,
     /// The model's parameters.
     Table1,
@@ -101,6 +102,17 @@ pub enum FigureError {
     /// A flight did not reach its end.
     #[error("the simulated flight of Fig. 7 ended early ({0}), so there is nothing to draw")]
     Flight(String),
+    /// The simulated vehicle was not identified.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// The simulated vehicle cannot fly the maneuver that it shall learn.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// Learning did not come to its end.
+    #[error(
+        "the simulated vehicle of Fig. 7 has not learned its maneuver ({0}), so there is nothing to draw"
+    )]
+    NotLearned(StopReason),
 }
 
 /// A number that a figure shows.
@@ -122,7 +134,12 @@ impl Number {
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {:.6} {}", self.what, self.value, self.unit)
+        let Self { what, value, unit } = self;
+        // What has no unit and no decimals is a count.
+        if unit.is_empty() && value.fract() == 0.0 {
+            return write!(f, "{what} {value}");
+        }
+        write!(f, "{what} {value:.6} {unit}")
     }
 }
 

@@ -1,7 +1,7 @@
 //! Maneuvers drawn along their paths in the vertical plane, both axes to one scale.
 
 use super::samples::Instant;
-use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::axis::{Range, nice_step, tick_label, ticks};
 use crate::drawing::plot::Plot;
 use crate::drawing::style::{GRID, INK, SMALL_SIZE, THRUST};
 use crate::drawing::svg::{Anchor, Rect, Svg, TextStyle};
@@ -26,7 +26,7 @@ pub(crate) fn grid(
     let (rect, small) = (plot.rect, TextStyle::new(SMALL_SIZE, INK));
     let line = format!(r#"stroke="{GRID}""#);
     // Numbers need more room than lines.
-    let wide = nice_step(plot.x.span(), (rect.width / 40.0).floor(), Steps::Decimal).max(step_x_m);
+    let wide = nice_step(plot.x.span(), (rect.width / 40.0).floor()).max(step_x_m);
     for value in ticks(plot.x, step_x_m) {
         svg.line((plot.x(value), rect.y), (plot.x(value), rect.bottom()), &line);
     }
@@ -56,7 +56,7 @@ pub(crate) fn draw(
     svg.open_group(r#"class="vehicles" fill="none" stroke-linecap="round" stroke-opacity=".8""#);
     for i in vehicles {
         let at = plot.point((i.state.x, i.state.z));
-        let attitude = (i.state.theta.to_degrees(), i.thrust_mps2 / thrust_max_mps2);
+        let attitude = (i.state.theta, i.thrust_mps2 / thrust_max_mps2);
         symbol::draw_fine(svg, at, attitude, span, [colour, THRUST]);
     }
     svg.close_group();

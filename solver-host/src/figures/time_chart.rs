@@ -1,14 +1,21 @@
 //! Quantities over time in a grid of panels: the paper's Fig. 6 and 7.
 
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::plot::{Axes, Plot};
-use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, INK, LIMIT, MARGIN, MUTED, SINGULAR, TEXT_SIZE, WIDTH};
+use crate::drawing::style::{
+    AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, MUTED, SINGULAR, SWITCHING, TEXT_SIZE, WIDTH,
+};
 use crate::drawing::svg::{Rect, Svg, TextStyle};
 
 /// Height of a panel.
 const HEIGHT: f64 = 190.0;
 /// Space between panels, upwards and along.
 const GAP: (f64, f64) = (26.0, 30.0);
+
+/// Stroke of the line at which switching functions are zero.
+pub(crate) fn zero() -> String {
+    format!(r#"stroke="{SWITCHING}" stroke-width="1" stroke-dasharray="1.5 4""#)
+}
 
 /// A curve: values over time, s.
 pub(crate) struct Curve {
@@ -19,29 +26,55 @@ pub(crate) struct Curve {
     pub(crate) name: Option<&'static str>,
 }
 
+/// An instant that an upright line marks.
+pub(crate) struct Mark {
+    pub(crate) t_s: f64,
+    /// Stroke attributes.
+    pub(crate) stroke: String,
+}
+
+impl Mark {
+    /// Of the plan.
+    pub(crate) fn planned(t_s: f64) -> Self {
+        Self { t_s, stroke: format!(r#"stroke="{MUTED}" stroke-width="1.2""#) }
+    }
+
+    /// Of what was learned.
+    pub(crate) fn learned(t_s: f64) -> Self {
+        Self { t_s, stroke: format!(r#"stroke="{FLOWN}" stroke-width="1.2""#) }
+    }
+}
+
 /// A panel.
 pub(crate) struct Panel {
     /// Quantity and unit.
     pub(crate) label: &'static str,
     pub(crate) range: Range,
-    pub(crate) steps: Steps,
     /// Values of limits.
     pub(crate) limits: Vec<f64>,
+    /// Where the switching functions are zero.
+    pub(crate) zero: Option<f64>,
     pub(crate) curves: Vec<Curve>,
 }
 
 impl Panel {
     /// A panel that shows all of its curves.
-    pub(crate) fn of(label: &'static str, steps: Steps, curves: Vec<Curve>) -> Self {
+    pub(crate) fn of(label: &'static str, curves: Vec<Curve>) -> Self {
         let values = curves.iter().flat_map(|c| &c.points).map(|(_, v)| *v);
         let range = Range::of(values).unwrap_or(Range { low: 0.0, high: 1.0 }).at_least(1e-3).padded(0.08);
-        Self { label, range, steps, limits: Vec::new(), curves }
+        Self { label, range, limits: Vec::new(), zero: None, curves }
     }
 
     /// The same with lines at limits.
     pub(crate) fn limited(mut self, limits: &[f64]) -> Self {
         self.range = self.range.and(Range::of(limits.iter().copied()).map(|r| r.padded(0.08)));
         self.limits = limits.to_vec();
+        self
+    }
+
+    /// The same with a line where the switching functions are zero.
+    pub(crate) fn with_zero(mut self, zero: f64) -> Self {
+        self.zero = Some(zero);
         self
     }
 }
@@ -53,7 +86,7 @@ pub(crate) fn draw(
     panels: &[Panel],
     time: Range,
     shaded: &[(f64, f64)],
-    marks: &[f64],
+    marks: &[Mark],
     top: f64,
 ) -> f64 {
     let rows = panels.len().div_ceil(2);
@@ -70,15 +103,19 @@ pub(crate) fn draw(
             svg.rect(&cell, &format!(r#"class="singular" fill="{SINGULAR}""#));
         }
         let last = row + 1 == rows;
-        plot.axes(svg, &Axes { x: last.then_some("time t (s)"), y: panel.label, steps: panel.steps });
-        for t in marks {
-            let x = plot.x(*t);
-            svg.line((x, rect.y), (x, rect.bottom()), &format!(r#"stroke="{MUTED}" stroke-width="1.2""#));
+        plot.axes(svg, &Axes { x: last.then_some("time t (s)"), y: panel.label });
+        for mark in marks {
+            let x = plot.x(mark.t_s);
+            svg.line((x, rect.y), (x, rect.bottom()), &mark.stroke);
         }
         for limit in &panel.limits {
             let y = plot.y(*limit);
             let style = format!(r#"stroke="{LIMIT}" stroke-width="1.5" stroke-dasharray="7 5""#);
             svg.line((rect.x, y), (rect.right(), y), &style);
+        }
+        if let Some(value) = panel.zero {
+            let y = plot.y(value);
+            svg.line((rect.x, y), (rect.right(), y), &zero());
         }
         plot.clipped(svg, &format!("panel{i}"), |svg| {
             for curve in &panel.curves {

@@ -83,13 +83,14 @@ fn facts(flown: &Flown) -> Vec<Fact> {
             },
         ),
         Fact::new("table", format!("{} bytes", prepared.bytes.len())),
-        Fact::new("peak speed", format!("{:.2} m/s", prepared.extent.peak_speed_mps)),
         Fact::new("full turns", flown.turns().to_string()),
     ];
+    let speed = flown.peak_speed_mps();
+    facts.extend(speed.map(|(name, speed_mps)| Fact::new(name, format!("{speed_mps:.2} m/s"))));
     if let Some(e) = flown.final_error() {
         facts.push(Fact::new("end error, position", format!("{:.3} m", e.x_m.hypot(e.z_m))));
         facts.push(Fact::new("end error, velocity", format!("{:.3} m/s", e.vx_mps.hypot(e.vz_mps))));
-        facts.push(Fact::new("end error, pitch", format!("{:.2}°", e.theta_rad.to_degrees().abs())));
+        facts.push(Fact::new("end error, pitch", format!("{:.4} rad", e.theta_rad.abs())));
     }
     facts
 }

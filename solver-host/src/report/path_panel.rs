@@ -3,7 +3,7 @@
 use super::layout::PATH_PADDING;
 use super::vehicle::{self, Symbol};
 use super::view::{Instant, View};
-use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::axis::{Range, nice_step, tick_label, ticks};
 use crate::drawing::style::{FLOWN, FRAME, GHOST, GRID, INK, MUTED, SMALL_SIZE, TEXT_SIZE};
 use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
 
@@ -152,7 +152,7 @@ fn axes(svg: &mut Svg, plane: &Plane, unit: Unit) {
     let (x, z) = (in_unit(plane.x), in_unit(plane.z));
     // One step for both axes shows that they have one scale.
     let longer = x.span().max(z.span());
-    let step = nice_step(longer, (rect.width.max(rect.height) / 60.0).floor(), Steps::Decimal);
+    let step = nice_step(longer, (rect.width.max(rect.height) / 60.0).floor());
     let small = TextStyle::new(SMALL_SIZE, INK);
     let grid = format!(r#"stroke="{GRID}""#);
     for value in ticks(x, step) {

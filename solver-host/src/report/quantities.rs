@@ -1,10 +1,12 @@
 //! The four quantities that are shown over time: pitch, pitch rate, thrust per mass, position.
 
+use std::f64::consts::PI;
+
 use super::data::ReportData;
 use super::path_panel::Unit;
 use super::time_panel::{Series, TimePanel};
 use super::view::{Instant, View};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 
 /// Values beyond this many limits are outside the panel.
 const BEYOND_LIMIT: f64 = 1.6;
@@ -23,17 +25,16 @@ pub(super) fn panels(data: &ReportData, view: &View, unit: Unit) -> [TimePanel; 
 }
 
 fn pitch(view: &View) -> TimePanel {
-    let [planned, flown] = [&view.planned, &view.flown].map(|i| series(i, |i| Some(i.theta_deg)));
+    let [planned, flown] = [&view.planned, &view.flown].map(|i| series(i, |i| Some(i.theta_rad)));
     // A tumbling vehicle leaves the panel after half a turn too many.
     let range = match (values([&planned]), values([&flown])) {
-        (Some(p), Some(f)) => p.and(Some(f.within(Range { low: p.low - 180.0, high: p.high + 180.0 }))),
+        (Some(p), Some(f)) => p.and(Some(f.within(Range { low: p.low - PI, high: p.high + PI }))),
         (p, f) => p.or(f).unwrap_or(Range { low: 0.0, high: 0.0 }),
     };
     TimePanel {
         class: "pitch",
-        label: "pitch θ (°)".to_owned(),
-        range: range.at_least(10.0).padded(0.08),
-        steps: Steps::Degrees,
+        label: "pitch θ (rad)".to_owned(),
+        range: range.at_least(0.2).padded(0.08),
         planned: vec![planned],
         flown: vec![flown],
         names: Vec::new(),
@@ -57,9 +58,8 @@ fn rate(data: &ReportData, view: &View) -> TimePanel {
     let phi = series(&view.planned, |i| i.phi_r);
     TimePanel {
         class: "rate",
-        label: "rate (rad/s)".to_owned(),
+        label: "pitch rate (rad/s)".to_owned(),
         range: range.at_least(1e-3).padded(0.1),
-        steps: Steps::Decimal,
         planned: vec![planned],
         flown: vec![flown],
         names: Vec::new(),
@@ -87,7 +87,6 @@ fn thrust(data: &ReportData, view: &View) -> TimePanel {
         class: "thrust",
         label: "thrust (m/s²)".to_owned(),
         range: range.at_least(1e-3).padded(0.08),
-        steps: Steps::Decimal,
         planned: vec![planned],
         flown: vec![flown],
         names: Vec::new(),
@@ -130,7 +129,6 @@ fn position(view: &View, unit: Unit) -> TimePanel {
         class: "position",
         label: format!("position ({})", unit.name),
         range: range.at_least(1e-3 * unit.per_m).padded(0.08),
-        steps: Steps::Decimal,
         planned,
         flown,
         names,

@@ -1,7 +1,7 @@
 //! One panel over time: curves planned and flown, limits, the switching function, and a strip that names the inputs.
 
 use super::view::{Span, View};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::plot::{Axes, Plot};
 use crate::drawing::style::{
     CELLS, FLOWN, INK, LIMIT, MUTED, SINGULAR, SMALL_SIZE, STRIP, SWITCHING, TEXT_SIZE,
@@ -20,8 +20,6 @@ pub(super) struct TimePanel {
     pub(super) label: String,
     /// Shown values.
     pub(super) range: Range,
-    /// Which ticks are nice.
-    pub(super) steps: Steps,
     pub(super) planned: Vec<Series>,
     pub(super) flown: Vec<Series>,
     /// Names of the curves, at their ends.
@@ -64,7 +62,7 @@ pub(super) fn draw(svg: &mut Svg, view: &View, panel: &TimePanel, rect: Rect, la
         svg.rect(&frame.span(span, rect.y, rect.height), &format!(r#"class="singular" fill="{SINGULAR}""#));
     }
     let time = labelled.then_some("time t (s)");
-    frame.0.axes(svg, &Axes { x: time, y: &panel.label, steps: panel.steps });
+    frame.0.axes(svg, &Axes { x: time, y: &panel.label });
     ends_of_maneuver(svg, &frame, view);
 
     frame.0.clipped(svg, panel.class, |svg| {

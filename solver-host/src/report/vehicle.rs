@@ -34,7 +34,7 @@ pub(super) fn instants(plane: &Plane, symbol: &Symbol, view: &View) -> Vec<f64> 
         let moved = drawn.last().is_none_or(|(_, last)| {
             let (a, b) = (plane.of(last), plane.of(&now));
             (a.0 - b.0).hypot(a.1 - b.1) > 0.3 * symbol.span_px
-                || (last.theta_deg - now.theta_deg).abs() > 30.0
+                || (last.theta_rad - now.theta_rad).abs() > 0.5
         });
         if moved {
             drawn.push((t_s, now));
@@ -53,7 +53,7 @@ impl Symbol {
         for instant in times_s.iter().filter_map(|t| at(source, *t)) {
             let (x, y) = plane.of(&instant);
             let thrust = instant.thrust_mps2.map_or(0.0, |f| (f / self.thrust_max).clamp(0.0, 1.3));
-            symbol::draw(svg, (x, y), instant.theta_deg, self.span_px, thrust);
+            symbol::draw(svg, (x, y), instant.theta_rad, self.span_px, thrust);
         }
     }
 }

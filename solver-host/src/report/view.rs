@@ -14,7 +14,7 @@ pub(super) struct Instant {
     pub(super) t_s: f64,
     pub(super) x_m: f64,
     pub(super) z_m: f64,
-    pub(super) theta_deg: f64,
+    pub(super) theta_rad: f64,
     pub(super) rate_radps: Option<f64>,
     pub(super) thrust_mps2: Option<f64>,
     pub(super) phi_r: Option<f64>,
@@ -73,7 +73,7 @@ impl Instant {
             t_s,
             x_m: state.x,
             z_m: state.z,
-            theta_deg: state.theta.to_degrees(),
+            theta_rad: state.theta,
             rate_radps: some(rate_radps),
             thrust_mps2: some(thrust_mps2),
             phi_r: some(phi_r),
@@ -90,7 +90,7 @@ impl Instant {
             t_s,
             x_m: mix(self.x_m, later.x_m),
             z_m: mix(self.z_m, later.z_m),
-            theta_deg: mix(self.theta_deg, later.theta_deg),
+            theta_rad: mix(self.theta_rad, later.theta_rad),
             ..*self
         }
     }

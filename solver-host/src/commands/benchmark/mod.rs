@@ -114,6 +114,10 @@ struct Measure {
     /// How far a flight in space may leave the vertical plane through its two states, m
     #[arg(long, value_name = "M", value_parser = numbers::positive, allow_hyphen_values = true, default_value = "0.25")]
     out_of_plane: f64,
+    /// How far motion and attitude may contradict each other: acceleration that neither the thrust in the
+    /// plane nor drag explains, m/s² rms
+    #[arg(long, value_name = "MPS2", value_parser = numbers::positive, allow_hyphen_values = true, default_value = "6")]
+    across: f64,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -201,6 +205,7 @@ impl Benchmark {
             dwell_s: measure.dwell,
             largest_gap_s: measure.largest_gap,
             out_of_plane_m: measure.out_of_plane,
+            across_mps2: measure.across,
         }
     }
 
@@ -265,7 +270,7 @@ impl Benchmark {
             bar.set_style(style);
         }
         let clock = std::time::Instant::now();
-        let map = map_linear(&gains, rules, grid, || bar.inc(1))?;
+        let map = map_linear(&gains, rules, grid, |done| bar.inc(done as u64))?;
         let wall_time_s = clock.elapsed().as_secs_f64();
         bar.finish_and_clear();
         let summary = page::MapSummary::new(&map, wall_time_s);

@@ -36,9 +36,8 @@ pub(super) fn text(score: &Score, output: Option<&Path>) -> String {
         lines.push(format!("nominal    T* = {t:.4} s between the states asked for: T / T* = {ratio:.4}"));
     }
     lines.push(format!(
-        "plane      heading {:.2}°, left by {:.4} m at most",
-        score.heading_rad.to_degrees(),
-        score.out_of_plane_m
+        "plane      heading {:+.4} rad, left by {:.4} m at most",
+        score.heading_rad, score.out_of_plane_m
     ));
     lines.extend(score.remarks.iter().map(|remark| format!("note       {remark}")));
     lines.extend(output.map(|path| format!("wrote      {}", path.display())));

@@ -2,7 +2,7 @@
 
 use super::badge::{Badge, distance};
 use super::{Chart, contour};
-use crate::drawing::axis::{Range, Steps};
+use crate::drawing::axis::Range;
 use crate::drawing::legend::{self, Key};
 use crate::drawing::page;
 use crate::drawing::plot::{Axes, Plot};
@@ -44,10 +44,10 @@ pub(super) fn draw(charts: &[Chart; 2]) -> (String, String, usize) {
         ),
         Key::line(
             &format!(r#"stroke="{PAPER}" stroke-width="2.6""#),
-            "the number of turns changes: T has a kink",
+            "number of full turns changes: T has a kink",
         ),
-        Key::area(WITHOUT_TURN[0], "no turn"),
-        Key::area(WITH_TURN[0], "one turn (a flip)"),
+        Key::area(WITH_TURN[0], "reds: one full turn (a flip)"),
+        Key::area(WITHOUT_TURN[0], "others: none"),
     ];
     let y = legend::rows(&mut svg, &keys, (MARGIN, WIDTH - MARGIN), y + 34.0);
 
@@ -121,7 +121,7 @@ fn area(outline: &[(f64, f64)]) -> f64 {
 
 fn chart(svg: &mut Svg, (chart, plot): (&Chart, &Plot), (listed, which): (&[Listed<'_>], usize), name: &str) {
     let grid = &chart.grid;
-    plot.axes(svg, &Axes { x: Some("x (m)"), y: "z (m)", steps: Steps::Decimal });
+    plot.axes(svg, &Axes { x: Some("x (m)"), y: "z (m)" });
     plot.clipped(svg, name, |svg| {
         svg.open_group(r#"class="regions" shape-rendering="crispEdges""#);
         for (structure, outlines) in grid.structures.iter().zip(&chart.division.regions) {
@@ -169,7 +169,7 @@ fn levels(svg: &mut Svg, chart: &Chart, plot: &Plot, taken: &[Point]) {
                 && distance(at, corner) > 64.0
                 && taken.iter().all(|badge| distance(at, *badge) > 28.0)
             {
-                halo(svg, (at.0, at.1 + 5.0), &format!("{:.1}", f64::from(i) * LEVEL_S));
+                svg.level_name((at.0, at.1 + 5.0), &format!("{:.1}", f64::from(i) * LEVEL_S));
             }
         }
     }
@@ -179,13 +179,6 @@ fn on_diagonal(points: &[Point], plot: &Plot) -> Option<Point> {
     let rect = plot.rect;
     let above = |p: &Point| (rect.bottom() - p.1) * rect.width - (p.0 - rect.x) * rect.height;
     points.windows(2).find(|pair| (above(&pair[0]) > 0.0) != (above(&pair[1]) > 0.0)).map(|pair| pair[0])
-}
-
-/// Text that can be read over lines.
-fn halo(svg: &mut Svg, at: Point, text: &str) {
-    svg.open_group(r##"stroke="#ffffff" stroke-width="4" stroke-linejoin="round" paint-order="stroke""##);
-    svg.text(at, text, TextStyle::new(SMALL_SIZE, INK).anchored(Anchor::Middle).bold());
-    svg.close_group();
 }
 
 /// The list of structures, in the words of `mintime fly`. Returns its lower edge.

@@ -113,9 +113,12 @@ function math(text, parent) {
   }
 }
 
+/** Degrees in a radian: where a drawing is turned, and beside radians for those who think in them. */
+const DEGREES = 180 / Math.PI;
+
 /** A number with its unit. */
 function quantity(value, digits, unit) {
-  const gap = unit && unit !== "°" ? "\u202F" : "";
+  const gap = unit ? "\u202F" : "";
   return `${format(value, digits)}${gap}${unit}`;
 }
 

@@ -1,6 +1,5 @@
 // Which curves stand in which panel.
 
-const DEGREES = 180 / Math.PI;
 const FLOWN = page.flown_is;
 /** A learned table misses its end in the model, on purpose: what it does there is not what is wanted. */
 const PLANNED = page.origin === "learned" ? "model" : "plan";
@@ -18,7 +17,7 @@ const PANELS = [
   { id: "z", title: "Height z", unit: "m", digits: 3, curves: [seen("z"), flown("z"), planned("z")] },
   { id: "vx", title: "Velocity in x", unit: "m/s", digits: 2, curves: [flown("vx"), planned("vx")] },
   { id: "vz", title: "Velocity in z", unit: "m/s", digits: 2, curves: [flown("vz"), planned("vz")] },
-  { id: "theta", title: "Pitch θ", unit: "°", digits: 1, scale: DEGREES, curves: [flown("theta"), planned("theta")] },
+  { id: "theta", title: "Pitch θ", unit: "rad", digits: 3, curves: [flown("theta"), planned("theta")] },
   {
     id: "rate", title: "Pitch rate", unit: "rad/s", digits: 2, limits: [-limits.rate_max_radps, limits.rate_max_radps],
     curves: [own("gyro", "gyro", "gyro"), own("command", "rate_command", "commanded"), flown("rate"), planned("rate")],

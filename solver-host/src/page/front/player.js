@@ -160,6 +160,7 @@ class Now {
     this.phase.textContent = phase ? phase.name : "–";
     this.speed.textContent = `${format(Math.hypot(at(flight, "vx"), at(flight, "vz")), 2)} m/s`;
     this.off.textContent = `${format(Math.hypot(off("x"), off("z")), 3)} m`;
-    this.angle.textContent = `${format(off("theta") * DEGREES, 1)}°`;
+    const pitch = off("theta");
+    this.angle.textContent = `${format(pitch, 3)} rad (${format(pitch * DEGREES, 1)}°)`;
   }
 }

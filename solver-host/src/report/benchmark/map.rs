@@ -1,9 +1,9 @@
 //! A map of scores over displacements: colours, and lines of equal score.
 
-use super::plot::Plot;
-use super::{header, page};
 use crate::benchmark::{Cell, ScoreMap};
-use crate::drawing::axis::{Range, Steps, nice_step, tick_label, ticks};
+use crate::drawing::axis::{Range, nice_step, tick_label, ticks};
+use crate::drawing::page;
+use crate::drawing::plot::{Axes, Plot};
 use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, FRAME, INK, MARGIN, MUTED, SMALL_SIZE, TEXT_SIZE, WIDTH};
 use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle};
 
@@ -13,6 +13,10 @@ const SCALE: f64 = 120.0;
 const HEIGHT: (f64, f64) = (260.0, 860.0);
 /// Scores above this part of all share the last colour: the smallest displacements would take the whole scale.
 const SHOWN: f64 = 0.97;
+/// Least distance of a level's name from the edge, from other levels' names, and from the same name.
+const FROM_EDGE: f64 = 26.0;
+const OTHER_LEVEL: f64 = 60.0;
+const SAME_LEVEL: f64 = 420.0;
 /// Dark to light, even steps of lightness (the colours of viridis, by Smith and van der Walt).
 const COLOURS: [[f64; 3]; 6] = [
     [68.0, 1.0, 84.0],
@@ -25,24 +29,61 @@ const COLOURS: [[f64; 3]; 6] = [
 
 pub(super) fn draw(map: &ScoreMap, title: &str, subtitle: &[String]) -> String {
     let mut svg = Svg::default();
-    let y = header(&mut svg, title, subtitle) + 26.0;
+    let y = page::heading(&mut svg, WIDTH, title, subtitle) + 26.0;
     let (x, z) = (edges(&map.grid.x_m), edges(&map.grid.z_m));
     let width = WIDTH - 2.0 * MARGIN - AXIS_LEFT - SCALE;
     let height = (width * z.span() / x.span()).clamp(HEIGHT.0, HEIGHT.1);
     let rect = Rect { x: MARGIN + AXIS_LEFT, y, width, height };
     let plot = Plot { rect, x, y: z };
-    plot.axes(&mut svg, "displacement x (m)", "displacement z (m)", Steps::Decimal, false);
+    plot.axes(&mut svg, &Axes { x: Some("displacement x (m)"), y: "displacement z (m)" });
     let colours = colour_range(map);
     cells(&mut svg, map, &plot, colours);
-    let step = nice_step(colours.span(), 10.0, Steps::Decimal);
+    let step = nice_step(colours.span(), 10.0);
+    let levels = ticks(colours, step).into_iter().map(|level| (level, contour(map, level)));
+    let levels: Vec<Level> =
+        levels.map(|(level, pieces)| (tick_label(level, step), on_page(&plot, &pieces))).collect();
     svg.open_group(r##"stroke="#ffffff" stroke-opacity="0.75" stroke-width="1""##);
-    for (a, b) in ticks(colours, step).into_iter().flat_map(|level| contour(map, level)) {
-        svg.line(plot.point(a.0, a.1), plot.point(b.0, b.1), "");
+    for (from, to) in levels.iter().flat_map(|(_, pieces)| pieces) {
+        svg.line(*from, *to, "");
     }
     svg.close_group();
+    name_levels(&mut svg, &rect, &levels);
     plot.frame(&mut svg);
     scale(&mut svg, &rect, colours, step, map);
-    page(title, subtitle, y + height + AXIS_BELOW + MARGIN, svg)
+    page::document(WIDTH, y + height + AXIS_BELOW + MARGIN, title, &subtitle.join(" "), svg)
+}
+
+/// The name of a level, and the pieces of its lines on the page.
+type Level = (String, Vec<(Point, Point)>);
+
+fn on_page(plot: &Plot, pieces: &[(Point, Point)]) -> Vec<(Point, Point)> {
+    pieces.iter().map(|(from, to)| (plot.point(*from), plot.point(*to))).collect()
+}
+
+/// Names each level where its line is farthest from all other names and from the edges, as often as there is room.
+fn name_levels(svg: &mut Svg, rect: &Rect, levels: &[Level]) {
+    let mut named: Vec<(Point, usize)> = Vec::new();
+    loop {
+        let free = |(at, own): (Point, usize)| {
+            let edge = (at.0 - rect.x).min(rect.right() - at.0).min(at.1 - rect.y).min(rect.bottom() - at.1);
+            let others = named.iter().map(|(other, level)| {
+                let apart = (at.0 - other.0).hypot(at.1 - other.1);
+                apart / if *level == own { SAME_LEVEL } else { OTHER_LEVEL }
+            });
+            others.fold(edge / FROM_EDGE, f64::min)
+        };
+        let middles = levels.iter().enumerate().flat_map(|(own, (_, pieces))| {
+            pieces.iter().map(move |(a, b)| ((0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1)), own))
+        });
+        let best = middles.map(|place| (free(place), place)).max_by(|a, b| a.0.total_cmp(&b.0));
+        match best {
+            Some((room, place)) if room >= 1.0 => named.push(place),
+            _ => break,
+        }
+    }
+    for ((x, y), level) in named {
+        svg.level_name((x, y + 5.0), &levels[level].0);
+    }
 }
 
 /// From the outer edge of the first cell to that of the last.
@@ -79,8 +120,8 @@ fn cells(svg: &mut Svg, map: &ScoreMap, plot: &Plot, colours: Range) {
             Cell::Here => "#ffffff".to_owned(),
             Cell::Failed(_) => FRAME.to_owned(),
         };
-        let (left, top) = plot.point(x - 0.5 * dx, z + 0.5 * dz);
-        let (right, bottom) = plot.point(x + 0.5 * dx, z - 0.5 * dz);
+        let (left, top) = plot.point((x - 0.5 * dx, z + 0.5 * dz));
+        let (right, bottom) = plot.point((x + 0.5 * dx, z - 0.5 * dz));
         // A little larger, so that no seams show between neighbours.
         let rect = Rect { x: left, y: top, width: right - left + 0.4, height: bottom - top + 0.4 };
         svg.rect(&rect, &format!(r#"fill="{fill}""#));
@@ -129,15 +170,14 @@ fn scale(svg: &mut Svg, map_rect: &Rect, colours: Range, step: f64, map: &ScoreM
     let bar = Plot { rect, x: Range { low: 0.0, high: 1.0 }, y: colours };
     for i in 0..BANDS {
         let at = |i: u32| colours.low + colours.span() * f64::from(i) / f64::from(BANDS);
-        let (_, top) = bar.point(0.0, at(i + 1));
-        let (_, bottom) = bar.point(0.0, at(i));
+        let (top, bottom) = (bar.y(at(i + 1)), bar.y(at(i)));
         let band = Rect { y: top, height: bottom - top + 0.4, ..rect };
         svg.rect(&band, &format!(r#"fill="{}""#, colour(colours, 0.5 * (at(i) + at(i + 1)))));
     }
     bar.frame(svg);
     let small = TextStyle::new(SMALL_SIZE, INK);
     for value in ticks(colours, step) {
-        let (_, y) = bar.point(0.0, value);
+        let y = bar.y(value);
         svg.line((rect.right(), y), (rect.right() + 5.0, y), &format!(r#"stroke="{INK}""#));
         svg.text((rect.right() + 9.0, y + 5.0), &tick_label(value, step), small);
     }

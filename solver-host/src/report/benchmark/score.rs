@@ -3,12 +3,13 @@
 
 use mintime_shared::model::State;
 
-use super::plot::Plot;
-use super::{header, page};
 use crate::benchmark::Score;
-use crate::drawing::axis::{Range, Steps};
-use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, SMALL_SIZE, TEXT_SIZE, WIDTH};
-use crate::drawing::svg::{Anchor, Point, Rect, Svg, TextStyle, text_width};
+use crate::drawing::axis::Range;
+use crate::drawing::legend::{self, Key};
+use crate::drawing::page;
+use crate::drawing::plot::{Axes, Plot};
+use crate::drawing::style::{AXIS_BELOW, AXIS_LEFT, FLOWN, INK, LIMIT, MARGIN, SMALL_SIZE, WIDTH};
+use crate::drawing::svg::{Anchor, Rect, Svg, TextStyle};
 
 /// Height of the panels together.
 const PANELS: f64 = 600.0;
@@ -24,8 +25,8 @@ const MARKS_S: [f64; 8] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 const MOST_MARKS: f64 = 24.0;
 
 type Track = Vec<(f64, State<f64>)>;
-/// Label, value of a state, kind of ticks, smallest range.
-type Quantity = (&'static str, fn(&State<f64>) -> f64, Steps, f64);
+/// Label, value of a state, smallest range.
+type Quantity = (&'static str, fn(&State<f64>) -> f64, f64);
 
 pub(super) fn draw(score: &Score, title: &str, subtitle: &[String]) -> String {
     let extremal = &score.optimal.extremal;
@@ -37,41 +38,38 @@ pub(super) fn draw(score: &Score, title: &str, subtitle: &[String]) -> String {
     let step_s = MARKS_S.into_iter().find(|s| score.duration_s / s <= MOST_MARKS).unwrap_or(score.duration_s);
 
     let mut svg = Svg::default();
-    let y = header(&mut svg, title, subtitle);
-    let y = legend(&mut svg, y + 34.0, step_s) + 22.0;
+    let y = page::heading(&mut svg, WIDTH, title, subtitle);
+    let y = legend::rows(&mut svg, &keys(step_s), (MARGIN, WIDTH - MARGIN), y + 34.0) + 22.0;
     let path = Rect { x: MARGIN + AXIS_LEFT, y, width: PATH - AXIS_LEFT, height: PANELS };
     draw_path(&mut svg, path, &score.flown, &optimal, step_s);
     let left = MARGIN + PATH + 24.0 + AXIS_LEFT;
     let height = (PANELS - 2.0 * GAP) / 3.0;
-    let quantities: [Quantity; 3] = [
-        ("x (m)", |s| s.x, Steps::Decimal, 0.1),
-        ("z (m)", |s| s.z, Steps::Decimal, 0.1),
-        ("θ (°)", |s| s.theta.to_degrees(), Steps::Degrees, 10.0),
-    ];
-    for (i, (label, value, steps, least)) in quantities.into_iter().enumerate() {
+    let quantities: [Quantity; 3] =
+        [("x (m)", |s| s.x, 0.1), ("z (m)", |s| s.z, 0.1), ("pitch θ (rad)", |s| s.theta, 0.2)];
+    for (i, (label, value, least)) in quantities.into_iter().enumerate() {
         let rect = Rect { x: left, y: y + i as f64 * (height + GAP), width: WIDTH - MARGIN - left, height };
         let range = Range::of(score.flown.iter().chain(&optimal).map(|(_, s)| value(s)));
         let range = range.unwrap_or(Range { low: 0.0, high: 1.0 }).at_least(least).padded(0.08);
         let plot =
             Plot { rect, x: Range { low: 0.0, high: 1.04 * score.duration_s.max(optimal_s) }, y: range };
-        plot.axes(&mut svg, if i == 2 { "time from departure (s)" } else { "" }, label, steps, false);
+        plot.axes(&mut svg, &Axes { x: (i == 2).then_some("time from departure (s)"), y: label });
         durations(&mut svg, &plot, optimal_s, score.duration_s, i == 0);
-        let points =
-            |track: &Track| -> Vec<Point> { track.iter().map(|(t, s)| plot.point(*t, value(s))).collect() };
+        let points = |track: &Track| plot.points(track.iter().map(|(t, s)| (*t, value(s))));
         svg.curve(&points(&score.flown), &format!(r#"stroke="{FLOWN}" stroke-width="3""#));
         svg.curve(&points(&optimal), &format!(r#"stroke="{INK}" stroke-width="1.4""#));
         plot.frame(&mut svg);
     }
-    page(title, subtitle, y + PANELS + AXIS_BELOW + MARGIN, svg)
+    page::document(WIDTH, y + PANELS + AXIS_BELOW + MARGIN, title, &subtitle.join(" "), svg)
 }
 
 /// Where the fastest maneuver and the flight end, with their names if `named`: side by side where they are close.
 fn durations(svg: &mut Svg, plot: &Plot, optimal_s: f64, duration_s: f64, named: bool) {
-    let x = |t: f64| plot.point(t, plot.y.low).0;
-    let close = (x(optimal_s) - x(duration_s)).abs() < 24.0;
+    let close = (plot.x(optimal_s) - plot.x(duration_s)).abs() < 24.0;
     let (before, after) = if close { (Anchor::End, Anchor::Start) } else { (Anchor::Middle, Anchor::Middle) };
     let gap = if close { 3.0 } else { 0.0 };
-    for (x, name, anchor, shift) in [(x(optimal_s), "T*", before, -gap), (x(duration_s), "T", after, gap)] {
+    for (x, name, anchor, shift) in
+        [(plot.x(optimal_s), "T*", before, -gap), (plot.x(duration_s), "T", after, gap)]
+    {
         let dashes = format!(r#"stroke="{LIMIT}" stroke-width="1.2" stroke-dasharray="5 4""#);
         svg.line((x, plot.rect.y), (x, plot.rect.bottom()), &dashes);
         if named {
@@ -81,21 +79,25 @@ fn durations(svg: &mut Svg, plot: &Plot, optimal_s: f64, duration_s: f64, named:
     }
 }
 
-fn legend(svg: &mut Svg, y: f64, step_s: f64) -> f64 {
-    let mut x = MARGIN;
-    let every = format!("dots every {step_s} s");
-    for (colour, text) in
-        [(FLOWN, "flown"), (INK, "fastest maneuver between the same two states"), ("", &every)]
-    {
-        if colour.is_empty() {
-            svg.circle((x + 17.0, y - 5.0), 4.0, &format!(r#"fill="{LIMIT}""#));
-        } else {
-            svg.line((x, y - 5.0), (x + 34.0, y - 5.0), &format!(r#"stroke="{colour}" stroke-width="2.4""#));
-        }
-        svg.text((x + 42.0, y), text, TextStyle::new(TEXT_SIZE, INK));
-        x += 42.0 + text_width(text, TEXT_SIZE) + 24.0;
-    }
-    y
+fn keys(step_s: f64) -> [Key; 5] {
+    let line = |colour: &str, text| Key::line(&format!(r#"stroke="{colour}" stroke-width="2.4""#), text);
+    [
+        line(FLOWN, "flown"),
+        line(INK, "fastest maneuver between the same two states"),
+        Key::dot(4.0, &format!(r#"fill="{LIMIT}""#), format!("every {step_s} s")),
+        Key::dot(5.5, &start(), "start"),
+        Key::dot(5.5, &end(), "end"),
+    ]
+}
+
+/// How the start is marked.
+fn start() -> String {
+    format!(r##"fill="#ffffff" stroke="{INK}" stroke-width="2.2""##)
+}
+
+/// How the end is marked.
+fn end() -> String {
+    format!(r##"fill="{INK}" stroke="#ffffff" stroke-width="1.6""##)
 }
 
 fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: f64) {
@@ -105,9 +107,9 @@ fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: 
     let z = Range::of(all().map(|(_, s)| s.z)).unwrap_or(nothing);
     let least = (0.02 * x.span().max(z.span())).max(1e-3);
     let plot = Plot::to_scale(rect, x.at_least(least).padded(0.07), z.at_least(least).padded(0.07));
-    plot.axes(svg, "x (m)", "z (m)", Steps::Decimal, true);
+    plot.axes_to_scale(svg, &Axes { x: Some("x (m)"), y: "z (m)" });
     for (track, colour, width) in [(flown, FLOWN, 3.0), (optimal, INK, 1.4)] {
-        let points: Vec<Point> = track.iter().map(|(_, s)| plot.point(s.x, s.z)).collect();
+        let points = plot.points(track.iter().map(|(_, s)| (s.x, s.z)));
         svg.curve(&points, &format!(r#"stroke="{colour}" stroke-width="{width}""#));
         let last_s = track.last().map_or(0.0, |(t, _)| *t);
         let marks = (1..).map(|i| f64::from(i) * step_s).take_while(|t| *t < last_s);
@@ -118,21 +120,13 @@ fn draw_path(svg: &mut Svg, rect: Rect, flown: &Track, optimal: &Track, step_s: 
                 continue;
             };
             let u = if tb > ta { (mark - ta) / (tb - ta) } else { 0.0 };
-            let at = plot.point(a.x + (b.x - a.x) * u, a.z + (b.z - a.z) * u);
+            let at = plot.point((a.x + (b.x - a.x) * u, a.z + (b.z - a.z) * u));
             svg.circle(at, width + 1.6, &format!(r##"fill="{colour}" stroke="#ffffff" stroke-width="0.8""##));
         }
     }
     if let (Some((_, first)), Some((_, last))) = (flown.first(), flown.last()) {
-        svg.circle(
-            plot.point(first.x, first.z),
-            5.5,
-            &format!("fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"2.2\""),
-        );
-        svg.circle(
-            plot.point(last.x, last.z),
-            5.5,
-            &format!(r##"fill="{INK}" stroke="#ffffff" stroke-width="1.6""##),
-        );
+        svg.circle(plot.point((first.x, first.z)), 5.5, &start());
+        svg.circle(plot.point((last.x, last.z)), 5.5, &end());
     }
     plot.frame(svg);
 }

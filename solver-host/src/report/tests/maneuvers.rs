@@ -173,7 +173,7 @@ impl Maneuver {
                 ("Segments", self.segments.len().to_string()),
                 ("Table", "97 bytes".to_owned()),
                 ("Peak speed", "9.31 m/s".to_owned()),
-                ("Error at the end", "4.8 cm, 12 cm/s, 0.6°".to_owned()),
+                ("Error at the end", "4.8 cm, 12 cm/s, 0.01 rad".to_owned()),
             ]
             .map(|(label, value)| (label.to_owned(), value))
             .to_vec(),
