@@ -53,7 +53,14 @@ impl Flights {
 /// Learns the maneuver; the flight of what was learned, and the number of flights before it.
 fn learned(target: &Target, plant: PlantChoice) -> Result<(Flown, usize), FigureError> {
     let choice = VehicleChoice::Hosted;
-    let mut vehicle = SimulatedVehicle { choice, plant, seed: SEED, room: None, response: Response::IDEAL };
+    let mut vehicle = SimulatedVehicle {
+        choice,
+        plant,
+        seed: SEED,
+        room: None,
+        response: Response::IDEAL,
+        heading_rad: 0.0,
+    };
     let found = vehicle.identify(&mut Unseen)?;
     let ready = plan(target, &VehicleConfig::REFERENCE, &found)?;
     vehicle.response = ready.response;
