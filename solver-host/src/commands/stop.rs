@@ -71,7 +71,7 @@ impl Stop {
         }
         let reason = said.unwrap_or_else(|| "the vehicle does not answer".to_owned());
         Err(format!(
-            "not confirmed after {} tries: {reason}; use the kill switch, or take the power away from a distance",
+            "not confirmed (tries: {}): {reason}; use the kill switch, or take the power away from a distance",
             self.tries
         )
         .into())
@@ -80,7 +80,7 @@ impl Stop {
 
 fn confirmed(tries: u32, how: &str) -> (serde_json::Value, String) {
     let text = format!(
-        "stopped: the vehicle {how} after {tries} tries. Its motors stay off until `mintime vehicle PORT acknowledge`"
+        "stopped: the vehicle {how} (tries: {tries}). Its motors stay off until `mintime vehicle PORT acknowledge`"
     );
     (json!({ "stopped": true, "tries": tries }), text)
 }
