@@ -132,11 +132,10 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::STORING, self.is_storing())
     }
 
-    /// Whether the vehicle stands in the air as the table's start wants it: tilt and rates are all it knows of that.
+    /// Whether the vehicle stands in the air as the table's start wants it: its thrust axis and rates are all it knows of that.
     pub(crate) fn is_in_start_gate(&self, committed: &Committed) -> bool {
         let calm = self.gyro.rates_radps().iter().all(|rate| rate.abs() <= GATE_RATE_RADPS);
-        let (least, most) = committed.gate_cos;
-        calm && self.tilt_cos().is_some_and(|cos| (least..=most).contains(&cos))
+        calm && self.attitude.is_known() && committed.gate.is_met(self.attitude.up_in_body())
     }
 
     /// Cosine of the tilt; `None` before the vehicle was seen at rest.

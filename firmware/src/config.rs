@@ -85,9 +85,11 @@ pub const RECOVERY_STANDS_S: f32 = 0.2;
 pub const RECOVERY_UPRIGHT_COS: f32 = 0.5;
 /// Thrust while it does, m/s²: enough for torque, too little to push it far.
 pub const RECOVERY_LOW_THRUST_MPS2: f32 = 3.0;
-/// The start gate on board: largest difference of the tilt from that of the table's start, rad. The host's gate is finer;
+/// The start gate on board: largest angle between the thrust axis and that of the table's start, rad. The host's gate is finer;
 /// this one keeps out a vehicle that is not where anybody thinks.
 pub const GATE_TILT_RAD: f32 = 0.12;
+/// Its cosine.
+pub const GATE_TILT_COS: f32 = 0.992_808_6;
 /// Likewise, largest body rate, rad/s.
 pub const GATE_RATE_RADPS: f32 = 0.6;
 /// Cosine of the largest tilt at which the motors may be started (15 degrees): level ground, with the accelerometer's own
@@ -168,7 +170,8 @@ pub const REPEATED_US: u64 = 15_000_000;
 pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 1000);
 /// Requests that one tick takes.
 pub const INBOX: usize = 4;
-/// Incidents that wait to be acknowledged.
-pub const INCIDENTS: usize = 4;
+/// Incidents that wait to be acknowledged: five may come up with a start (two crashes, a termination, damage to the store, no
+/// random numbers), and one in its run.
+pub const INCIDENTS: usize = 6;
 /// Messages waiting for the link. One tick adds at most [`INBOX`] answers and a telemetry.
 pub const OUTBOX: usize = 8;

@@ -16,25 +16,20 @@ use mintime_shared::messages::{
     AbortReason, BoardTelemetry, CalibrationError, FlightState, Happening, IncidentCause, KillSwitch,
     Message, Purpose, RecordedTick, Refusal, Setpoint, TELEMETRY_PERIOD_US, Uplink, record_flags,
 };
-use mintime_shared::model::GRAVITY_MPS2;
-use mintime_shared::real::{at_least, at_most};
 use mintime_shared::replay::{TICK_PERIOD_US, TickPeriod};
 use mintime_shared::seal::PairingKey;
 use mintime_shared::settings::Settings;
 
-use crate::attitude::{AttitudeEstimate, Motion};
+use crate::attitude::AttitudeEstimate;
 use crate::calibration::ScaleCalibration;
-use crate::config::{
-    BoardStatus, CONTROL_STEP_MAX_S, Capabilities, INBOX, LATE_US, LIFTED_FORCE, MOTOR_COUNT, OUTBOX,
-    SATURATED_LIFT, StoreStatus, VehicleConfig,
-};
+use crate::config::{BoardStatus, Capabilities, INBOX, MOTOR_COUNT, OUTBOX, StoreStatus, VehicleConfig};
 use crate::events::EventLog;
 use crate::gyro::{Gyro, ImuSample};
 use crate::incidents::Incidents;
 use crate::keeping::{Keeper, Slots};
-use crate::mixer::{Demand, RotorDrive, mix_below, to_outputs};
+use crate::mixer::{RotorDrive, to_outputs};
 use crate::player::Player;
-use crate::rate_control::{RateController, RateInput};
+use crate::rate_control::RateController;
 use crate::recorder::{RecordMemory, Recorder};
 use crate::recovery::Recovery;
 use crate::requests::Verdicts;
@@ -68,9 +63,6 @@ pub struct TickOutput {
     /// The body rates and thrust that the throttles are meant to bring about.
     pub setpoint: Setpoint,
 }
-
-/// A setpoint of so much thrust may lift, m/s².
-const LIFTED_MPS2: f32 = LIFTED_FORCE * GRAVITY_MPS2 as f32;
 
 /// What the clock says of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,11 +142,11 @@ pub struct FlightLogic<M> {
     pub(crate) player: Player,
     pub(crate) recovery: Recovery,
     pub(crate) rate: RateController,
-    drive: RotorDrive,
+    pub(crate) drive: RotorDrive,
     /// What was commanded over the tick that just ended.
     pub(crate) commanded: Setpoint,
     /// It has been asked to lift since it was armed.
-    lifted: bool,
+    pub(crate) lifted: bool,
     pub(crate) saturated_ticks: u32,
     pub(crate) runaway_ticks: u32,
     // Who flies it.
@@ -185,11 +177,11 @@ pub struct FlightLogic<M> {
     /// Ticks are recorded outside a maneuver too.
     pub(crate) recording: bool,
     /// The state that was left and why, for the second part to log.
-    to_log: Option<(FlightState, Option<AbortReason>)>,
+    pub(crate) to_log: Option<(FlightState, Option<AbortReason>)>,
     /// What the second part records.
-    to_record: Option<TickOutput>,
+    pub(crate) to_record: Option<TickOutput>,
     /// The sample, or its absence, that the second part estimates the attitude from.
-    to_estimate: Option<Option<ImuSample>>,
+    pub(crate) to_estimate: Option<Option<ImuSample>>,
     pub(crate) events: EventLog,
     pub(crate) telemetry_us: u64,
     pub(crate) next_telemetry_us: u64,
@@ -345,203 +337,6 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
     }
 
-    /// Takes in what the sensors say.
-    fn sense(&mut self, input: &TickInput) {
-        self.battery_v = input.battery_v.filter(|v| self.config.is_plausible_battery(*v));
-        self.drive_v = self.battery_v.or(self.drive_v);
-        self.kill = input.kill;
-        let motors_off = !self.state().motors_on();
-        self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
-        self.accel_mps2 = input.imu.map(|imu| imu.accel_mps2).filter(|a| a.iter().all(|v| v.is_finite()));
-        self.to_estimate = Some(input.imu);
-    }
-
-    /// The attitude and the calibration by turns, from the sample of this tick: nothing that its motors wait for.
-    #[inline(never)]
-    fn estimate(&mut self) {
-        let Some(imu) = self.to_estimate.take() else {
-            return;
-        };
-        let motion = match self.state() {
-            FlightState::Tracking => Motion::Flying,
-            FlightState::Maneuver | FlightState::Recovery => Motion::Maneuver,
-            _ => Motion::MotorsOff,
-        };
-        let dt_s = interval_s(self.interval_us);
-        // Where the sample is missing the last rates have to do, and gravity says nothing.
-        let accel_mps2 = self.accel_mps2.unwrap_or_default();
-        self.attitude.update(self.gyro.rates_radps(), accel_mps2, dt_s, motion);
-        if let (Some(imu), Some(turns)) = (imu, &mut self.turns)
-            && turns.found.is_none()
-            && !self.supervisor.state().motors_on()
-        {
-            turns.found = turns.under_way.update(imu.gyro_radps, dt_s);
-        }
-    }
-
-    fn advance_clock(&mut self, now_us: u64) -> Clock {
-        self.ticks = self.ticks.wrapping_add(1);
-        let Some(last) = self.last_us else {
-            self.last_us = Some(now_us);
-            return Clock::Punctual;
-        };
-        if now_us < last {
-            self.interval_us = 0;
-            return Clock::Backwards;
-        }
-        self.last_us = Some(now_us);
-        self.interval_us = now_us.saturating_sub(last);
-        self.period.observe(self.interval_us);
-        let worst = u32::try_from(self.interval_us).unwrap_or(u32::MAX);
-        self.worst_interval_us = self.worst_interval_us.max(worst);
-        let late = self.interval_us > LATE_US;
-        self.late_ticks = self.late_ticks.saturating_add(u32::from(late));
-        if late { Clock::Late } else { Clock::Punctual }
-    }
-
-    /// What a change of state brings with it.
-    #[inline(never)]
-    fn enter(&mut self, old: FlightState, reason: Option<AbortReason>, now_us: u64) {
-        self.state_since_us = now_us;
-        let new = self.state();
-        self.to_log = Some((old, reason));
-        if old == FlightState::Maneuver {
-            // Complete is what ended by itself: no reason to abort, and nobody's order to stop.
-            let by_itself = matches!(new, FlightState::Tracking | FlightState::Recovery);
-            self.player.stop(by_itself && reason.is_none());
-            // The plan's accumulated error is no business of the host's setpoints.
-            self.rate.reset(self.gyro.rates_radps());
-        }
-        self.runaway_ticks = 0;
-        self.saturated_ticks = 0;
-        match new {
-            FlightState::Armed => {
-                self.rate.reset(self.gyro.rates_radps());
-                self.worst_interval_us = 0;
-                self.setpoints_lost = 0;
-                self.last_trigger = None;
-                self.last_sequence = None;
-                self.motor_test = None;
-                self.lifted = false;
-                self.recording = false;
-                // Setpoints from before arming do not lift.
-                self.host_setpoint = None;
-            }
-            FlightState::Maneuver => {
-                self.rate.reset(self.gyro.rates_radps());
-                self.recording = false;
-                self.recorder.clear();
-                self.missing_before = self.gyro.missing_total();
-                self.player.start(now_us);
-            }
-            FlightState::Recovery => {
-                let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
-                self.recovery.start(asked_mps2, self.lifted);
-            }
-            FlightState::Terminated => {
-                self.host_setpoint = None;
-                self.recording = false;
-            }
-            FlightState::Boot | FlightState::Calibrating | FlightState::Disarmed | FlightState::Landed => {
-                self.host_setpoint = None;
-                self.recording = false;
-            }
-            FlightState::Tracking => {}
-        }
-    }
-
-    /// What to fly until the next tick; `None` for motors that only idle or stand still.
-    fn choose_setpoint(&mut self, now_us: u64) -> Option<Setpoint> {
-        let setpoint = match self.state() {
-            FlightState::Tracking => self.host_setpoint.map_or(Setpoint::default(), |(setpoint, _)| setpoint),
-            FlightState::Maneuver => {
-                let plane = self.player.plane();
-                let command = self.player.command(now_us, &self.period);
-                command.map_or(Setpoint::default(), |c| Setpoint {
-                    rates_radps: plane.turn(c.rate_radps),
-                    thrust_mps2: c.thrust_mps2,
-                })
-            }
-            FlightState::Recovery => {
-                let force_mps2 = self.accel_mps2.map(|[_, _, z]| z);
-                let [_, _, up] = self.attitude.up_in_body();
-                self.recovery.command(up, self.attitude.level_rates(), force_mps2, self.step_s())
-            }
-            _ => return None,
-        };
-        let thrust_mps2 =
-            self.thrust_cap_mps2().map_or(setpoint.thrust_mps2, |cap| at_most(setpoint.thrust_mps2, cap));
-        self.lifted |= thrust_mps2 >= LIFTED_MPS2;
-        Some(Setpoint { thrust_mps2, ..setpoint })
-    }
-
-    /// Time since the last tick as the controllers believe it, s.
-    fn step_s(&self) -> f32 {
-        at_most(interval_s(self.interval_us), CONTROL_STEP_MAX_S)
-    }
-
-    /// Rate control, mixing, and what the motors get.
-    fn control(&mut self, setpoint: Option<Setpoint>, now_us: u64) -> TickOutput {
-        let dt_s = self.step_s();
-        let Some(setpoint) = setpoint else {
-            self.commanded = Setpoint::default();
-            self.rate.rest(self.gyro.rates_radps());
-            let off = self.drive.rest(&self.config, dt_s);
-            let armed = self.state() == FlightState::Armed;
-            let throttle = match self.purpose {
-                _ if !armed => None,
-                // Idle is zero demand: the mixer's floor keeps the rotors turning.
-                Purpose::Flight => Some(self.drive.throttles(&self.config, off, self.drive_v, 0.0)),
-                Purpose::MotorTest => Some(self.tested(now_us)),
-            };
-            return TickOutput { throttle, setpoint: self.commanded };
-        };
-        let thrust_mps2 = setpoint.thrust_mps2;
-        let input = RateInput {
-            asked: self.commanded.rates_radps,
-            next: setpoint.rates_radps,
-            measured: self.gyro.rates_radps(),
-            thrust_mps2,
-            dt_s,
-            follow_angle: self.state() == FlightState::Maneuver,
-        };
-        let demand = Demand { thrust_mps2, acceleration_radps2: self.rate.update(&self.config, &input) };
-        // The mixer lifts collective thrust for the sake of torque: on the bench no rotor gets more than its share.
-        let high_n = self.rotor_cap_n().unwrap_or(self.config.rotor_thrust_max_n);
-        let mixed = mix_below(&self.config, &demand, high_n);
-        self.rate.limited(&mixed.saturation);
-        // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
-        // leaves yaw behind is part of a healthy flight.
-        let [roll, pitch, _] = mixed.saturation.axes;
-        let saturated = roll || pitch || mixed.saturation.achieved_mps2 < SATURATED_LIFT * thrust_mps2;
-        self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
-        let throttle = self.drive.throttles_below(&self.config, mixed.thrusts_n, self.drive_v, dt_s, high_n);
-        self.commanded = setpoint;
-        TickOutput { throttle: Some(throttle), setpoint }
-    }
-
-    /// A rotor's share of the thrust allowed, N, where it is capped.
-    fn rotor_cap_n(&self) -> Option<f32> {
-        let config = &self.config;
-        self.thrust_cap_mps2().map(|cap_mps2| {
-            at_least(cap_mps2 * config.mass_kg / MOTOR_COUNT as f32, config.rotor_thrust_idle_n)
-        })
-    }
-
-    /// One motor turns for its time, the others stand.
-    #[inline(never)]
-    fn tested(&mut self, now_us: u64) -> [f32; MOTOR_COUNT] {
-        let mut throttle = [0.0; MOTOR_COUNT];
-        if let Some(test) = self.motor_test.filter(|test| now_us < test.until_us)
-            && let Some(slot) = throttle.get_mut(usize::from(test.motor))
-        {
-            *slot = self.rotor_cap_n().map_or(test.throttle, |high_n| {
-                at_most(test.throttle, self.drive.throttle_of(&self.config, high_n, self.drive_v))
-            });
-        }
-        throttle
-    }
-
     /// What the record says of this tick; the recorder fills the interval in.
     #[inline(never)]
     fn recorded(&self, output: &TickOutput) -> Option<RecordedTick> {
@@ -573,9 +368,4 @@ impl<M: RecordMemory> FlightLogic<M> {
         // A full outbox means a slow link: the next one will do.
         let _ = outbox.push_back(Message::Telemetry(self.telemetry()));
     }
-}
-
-/// In 32 bits: the processor converts those by itself.
-fn interval_s(interval_us: u64) -> f32 {
-    u32::try_from(interval_us).unwrap_or(u32::MAX) as f32 * 1.0e-6
 }

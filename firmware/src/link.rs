@@ -75,7 +75,7 @@ impl Link {
                         }
                         // Without a seal, or with one that is old or another's: whoever sent it is told.
                         None => unsealed(content).filter(|uplink| {
-                            let harmless = uplink.request == Request::Identify;
+                            let harmless = matches!(uplink.request, Request::Identify);
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);
                             }
@@ -134,7 +134,7 @@ fn admit(uplink: Uplink, inbox: &mut Inbox) -> bool {
     let urgent = match uplink.request {
         Request::EmergencyStop => true,
         // It takes no emergency stop's place, or it would clear what the stop was to set.
-        Request::Disarm => !inbox.back().is_some_and(|last| last.request == Request::EmergencyStop),
+        Request::Disarm => !inbox.back().is_some_and(|last| matches!(last.request, Request::EmergencyStop)),
         _ => false,
     };
     let displaced = urgent && inbox.is_full() && inbox.pop_back().is_some();

@@ -6,26 +6,26 @@
 
 use mintime_shared::replay::TICK_PERIOD_US;
 
-/// Nominal period, µs.
+/// Nominal period, µs. Intervals are worked out in 32 bits: the vehicle divides 64 by a long routine.
 const PERIOD_US: u64 = TICK_PERIOD_US as u64;
 /// An edge is waited for this long after the one before, µs.
 const EDGE_TIMEOUT_US: u64 = PERIOD_US * 3 / 2;
 /// The gyro's clock and the vehicle's differ by no more than this, percent: the gyro's own is off by up to three.
-const CLOCK_ERROR_PERCENT: u64 = 5;
+const CLOCK_ERROR_PERCENT: u32 = 5;
 /// An edge that comes before this part of the gyro's own period is noise on the line, percent. Were it taken for a tick, it
 /// would find an old sample, and the true edge behind it would count as the noise.
-const EDGE_MIN_PERCENT: u64 = 85;
+const EDGE_MIN_PERCENT: u32 = 85;
 /// Beyond this part of it the edge before was not the last one, percent.
-const EDGE_MAX_PERCENT: u64 = 115;
+const EDGE_MAX_PERCENT: u32 = 115;
 /// How finely the period is kept, parts of a microsecond, and how many edges it is the mean of.
-const SMOOTHING: u64 = 16;
+const SMOOTHING: u32 = 16;
 
 /// Decides which events are ticks.
 #[derive(Clone, Copy, Debug)]
 pub struct Pacer {
     last_edge_us: Option<u64>,
     /// From edge to edge by the vehicle's clock, 1/[`SMOOTHING`] µs.
-    period: u64,
+    period: u32,
     last_tick_us: u64,
     deadline_us: u64,
     missed: u32,
@@ -37,7 +37,7 @@ impl Pacer {
     pub const fn new(now_us: u64) -> Self {
         Self {
             last_edge_us: None,
-            period: PERIOD_US * SMOOTHING,
+            period: TICK_PERIOD_US * SMOOTHING,
             last_tick_us: now_us,
             deadline_us: now_us + PERIOD_US,
             missed: 0,
@@ -49,15 +49,15 @@ impl Pacer {
     pub fn edge(&mut self, at_us: u64) -> Option<u64> {
         self.look_at_clock(at_us);
         if let Some(last_us) = self.last_edge_us {
-            let interval = at_us.saturating_sub(last_us).saturating_mul(SMOOTHING);
-            let percent = |part: u64| self.period * part / 100;
+            let interval = bounded(at_us.saturating_sub(last_us)).saturating_mul(SMOOTHING);
+            let percent = |part: u32| self.period * part / 100;
             if interval < percent(EDGE_MIN_PERCENT) {
                 self.spurious = self.spurious.saturating_add(1);
                 return None;
             }
             if interval <= percent(EDGE_MAX_PERCENT) {
-                const SLOWEST: u64 = PERIOD_US * SMOOTHING * (100 + CLOCK_ERROR_PERCENT) / 100;
-                const FASTEST: u64 = PERIOD_US * SMOOTHING * (100 - CLOCK_ERROR_PERCENT) / 100;
+                const SLOWEST: u32 = TICK_PERIOD_US * SMOOTHING * (100 + CLOCK_ERROR_PERCENT) / 100;
+                const FASTEST: u32 = TICK_PERIOD_US * SMOOTHING * (100 - CLOCK_ERROR_PERCENT) / 100;
                 let mean = (self.period * (SMOOTHING - 1) + interval) / SMOOTHING;
                 self.period = mean.clamp(FASTEST, SLOWEST);
             }
@@ -72,9 +72,9 @@ impl Pacer {
     pub fn timer(&mut self, now_us: u64) -> Option<u64> {
         self.look_at_clock(now_us);
         // By division, not by counting: after a halt the gap may be of any length.
-        let behind = now_us.checked_sub(self.deadline_us)? / PERIOD_US;
-        self.deadline_us =
-            self.deadline_us.saturating_add(behind.saturating_add(1).saturating_mul(PERIOD_US));
+        let late_us = now_us.checked_sub(self.deadline_us)?;
+        let phase_us = u64::from(bounded(late_us) % TICK_PERIOD_US);
+        self.deadline_us = now_us.saturating_sub(phase_us).saturating_add(PERIOD_US);
         Some(self.tick(now_us.max(self.last_tick_us)))
     }
 
@@ -103,13 +103,17 @@ impl Pacer {
     }
 
     fn tick(&mut self, now_us: u64) -> u64 {
-        // In 32 bits, for the vehicle divides 64 by a long routine.
-        let interval_us = u32::try_from(now_us.saturating_sub(self.last_tick_us)).unwrap_or(u32::MAX);
+        let interval_us = bounded(now_us.saturating_sub(self.last_tick_us));
         let periods = interval_us.saturating_add(TICK_PERIOD_US / 4) / TICK_PERIOD_US;
         self.missed = self.missed.saturating_add(periods.saturating_sub(1));
         self.last_tick_us = now_us;
         now_us
     }
+}
+
+/// A time in 32 bits, or what is left of it: 71 minutes.
+fn bounded(time_us: u64) -> u32 {
+    u32::try_from(time_us).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]

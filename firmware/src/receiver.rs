@@ -11,6 +11,8 @@
 //! flipped bit, but of arbitrary bytes one frame in 256 passes; the address, the length and the three frames in a row stand
 //! against that.
 
+use core::cell::Cell;
+
 /// Without a frame of channels for this long the switch is lost, µs. Receivers send one every 2 to 20 ms and stop, or set
 /// the link quality to zero, when they lose their transmitter.
 pub const LOST_US: u64 = 250_000;
@@ -156,20 +158,26 @@ impl Parser {
 
     /// Drops bytes until a frame may begin with the first one.
     fn align(&mut self) {
-        for _ in 0..FRAME_BYTES {
-            let begin = self.bytes.first() == Some(&ADDRESS_FLIGHT_CONTROLLER);
-            // Type and checksum at least, and no more than a frame may have.
-            let fits = self.length < 2 || self.bytes.get(1).is_some_and(|n| (2..=62).contains(n));
-            if self.length == 0 || begin && fits {
-                return;
-            }
-            self.drop_front(1);
+        let held = self.bytes.get(..self.length).unwrap_or_default();
+        // Type and checksum at least, and no more than a frame may have.
+        let fits = |length: Option<&u8>| length.is_none_or(|n| (2..=62).contains(n));
+        let begins = |&at: &usize| {
+            held.get(at) == Some(&ADDRESS_FLIGHT_CONTROLLER) && fits(held.get(at.saturating_add(1)))
+        };
+        let skip = (0..held.len()).find(begins).unwrap_or(held.len());
+        if skip > 0 {
+            self.drop_front(skip);
         }
     }
 
+    #[inline(never)]
     fn drop_front(&mut self, count: usize) {
         let count = count.min(self.length);
-        self.bytes.copy_within(count.., 0);
+        // Byte by byte: it is rare, and the library's way to move them takes more than a kilobyte of flash.
+        let bytes = Cell::from_mut(self.bytes.as_mut_slice()).as_slice_of_cells();
+        for (to, from) in bytes.iter().zip(bytes.iter().take(self.length).skip(count)) {
+            to.set(from.get());
+        }
         self.length -= count;
     }
 }

@@ -39,7 +39,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
                 // Anybody may ask a paired vehicle who it is: that does not say that its host is there.
-                if self.pairing.is_none() || uplink.request != Request::Identify {
+                if self.pairing.is_none() || !matches!(uplink.request, Request::Identify) {
                     self.heard_us = Some(now_us);
                 }
                 let verdict = self.take(uplink.number, &uplink.request, now_us, conditions);

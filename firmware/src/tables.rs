@@ -3,10 +3,11 @@
 
 use heapless::Vec;
 use mintime_shared::messages::Refusal;
+use mintime_shared::plane::Plane;
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 
-use crate::config::{GATE_TILT_RAD, VehicleConfig};
+use crate::config::{GATE_TILT_COS, VehicleConfig};
 
 /// A table's bytes.
 pub(crate) type TableBytes = Vec<u8, MAX_TABLE_BYTES>;
@@ -27,8 +28,8 @@ pub(crate) struct Tables {
 pub(crate) struct Committed {
     pub(crate) table: ManeuverTable,
     pub(crate) checksum: u32,
-    /// Least and greatest cosine of the tilt from which it may be triggered.
-    pub(crate) gate_cos: (f32, f32),
+    /// The attitude from which it may be triggered.
+    pub(crate) gate: StartGate,
 }
 
 /// What a commit did.
@@ -108,10 +109,11 @@ impl Tables {
         Ok(self.put(table, checksum))
     }
 
+    #[inline(never)]
     fn put(&mut self, table: ManeuverTable, checksum: u32) -> Commit {
         let plan = Plan::new(&table);
-        let gate_cos = start_gate(table.start.theta);
-        self.committed = Some(Committed { table, checksum, gate_cos });
+        let gate = StartGate::new(table.start.theta, plan.plane());
+        self.committed = Some(Committed { table, checksum, gate });
         Commit::New(plan)
     }
 
@@ -152,37 +154,71 @@ fn check(bytes: &[u8], checksum: u32, config: &VehicleConfig) -> Result<Maneuver
     Ok(table)
 }
 
-/// Least and greatest cosine of the tilt within [`GATE_TILT_RAD`] of a table's start. Worked out with the commit, where no
-/// motor waits for it. What is open on a side is 2: a unit vector may be longer than one by its rounding.
-fn start_gate(theta_rad: f32) -> (f32, f32) {
-    let tilt_rad = libm::fabsf(libm::remainderf(theta_rad, core::f32::consts::TAU));
-    let (near_rad, far_rad) = (tilt_rad - GATE_TILT_RAD, tilt_rad + GATE_TILT_RAD);
-    let least = if far_rad < core::f32::consts::PI { libm::cosf(far_rad) } else { -2.0 };
-    let most = if near_rad > 0.0 { libm::cosf(near_rad) } else { 2.0 };
-    (least, most)
+/// Where world-up lies in the body at a table's start. Worked out with the commit, where no motor waits for it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StartGate {
+    plane: Plane,
+    sin: f32,
+    cos: f32,
+}
+
+impl StartGate {
+    fn new(theta_rad: f32, plane: Plane) -> Self {
+        let (sin, cos) = libm::sincosf(theta_rad);
+        Self { plane, sin, cos }
+    }
+
+    /// Whether the thrust axis points where the start wants it, within [`crate::config::GATE_TILT_RAD`] in any direction. What turned
+    /// about the vertical is not seen: the plane is one of the body's.
+    pub(crate) fn is_met(&self, up_in_body: [f32; 3]) -> bool {
+        // A thrust axis that tips towards the heading sees world-up lean the other way.
+        let [along, _, up] = self.plane.axes(up_in_body);
+        self.cos * up - self.sin * along >= GATE_TILT_COS
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::attitude::{AttitudeEstimate, Motion};
+    use crate::config::GATE_TILT_RAD;
 
-    /// Against the angles themselves.
+    /// Where world-up lies in a body that stood level and then turned by an angle in the plane of a heading.
+    fn up_after(theta_rad: f32, heading_rad: f32) -> [f32; 3] {
+        const STEPS: u16 = 200;
+        let mut attitude = AttitudeEstimate::new();
+        for _ in 0..2000 {
+            attitude.update([0.0; 3], [0.0, 0.0, 9.81], 1.25e-3, Motion::MotorsOff);
+        }
+        let dt_s = 1.25e-3;
+        // In the first step the rate rises from zero.
+        let rate_radps = theta_rad / ((f32::from(STEPS) - 0.5) * dt_s);
+        for _ in 0..STEPS {
+            // In free fall, so that nothing but the turn counts.
+            attitude.update(Plane::new(heading_rad).turn(rate_radps), [0.0; 3], dt_s, Motion::Maneuver);
+        }
+        attitude.up_in_body()
+    }
+
+    /// By turning there: within the gate's angle of the start's own, in its own direction, and nowhere else.
     #[test]
-    fn the_gate_is_open_just_around_the_starts_tilt() {
-        for turns in [-1.0_f32, 0.0, 2.0] {
-            for start in 0..=31 {
+    fn the_gate_is_open_just_around_the_starts_attitude() {
+        assert!((GATE_TILT_RAD.cos() - GATE_TILT_COS).abs() < 1e-6);
+        for heading in [0.0_f32, 0.7, -2.4] {
+            for start in -31..=31 {
                 let start = start as f32 * 0.1;
-                let (least, most) = start_gate(turns * core::f32::consts::TAU - start);
-                for tilt in 0..=314 {
-                    let tilt = tilt as f32 * 0.01;
-                    let away = (tilt - start).abs();
-                    if (away - GATE_TILT_RAD).abs() > 1e-3 {
-                        assert_eq!(
-                            (least..=most).contains(&tilt.cos()),
-                            away < GATE_TILT_RAD,
-                            "{start} {tilt}"
-                        );
+                let gates =
+                    [start, start + core::f32::consts::TAU].map(|s| StartGate::new(s, Plane::new(heading)));
+                for away in [-0.5_f32, -0.125, -0.115, 0.0, 0.115, 0.125, 0.5] {
+                    let up = up_after(start + away, heading);
+                    for gate in gates {
+                        assert_eq!(gate.is_met(up), away.abs() < GATE_TILT_RAD, "{heading} {start} {away}");
                     }
+                }
+                // The same tilt to the other side, and in another plane.
+                if start.abs() > 0.2 && start.abs() < 2.9 {
+                    assert!(!gates[0].is_met(up_after(-start, heading)), "{heading} {start}");
+                    assert!(!gates[0].is_met(up_after(start, heading + 1.6)), "{heading} {start}");
                 }
             }
         }

@@ -148,8 +148,15 @@ pub fn inverse_moments<T: Real>(d: T, x_squared: T, tau: T) -> [T; 3] {
     let q = q_squared(tau).sqrt();
     let two = T::from_f64(2.0);
     let y = k * tau / (T::one() + q);
-    // ∫dσ/Q = 2 artanh(y)/k; y < 1 unless p runs through the origin, which |u_R| ≤ 1 rules out.
-    let m0 = (two * y / (T::one() - y)).ln_1p() / k;
+    // ∫dσ/Q = 2 artanh(y)/k; y < 1 unless p runs through the origin, which |u_R| ≤ 1 rules out. Where the arc begins close
+    // to the origin y may round to 1 all the same: the same quotient by (1 + q)² − k²τ² = 2 (1 + q − dτ).
+    let excess = if y < T::one() {
+        two * y / (T::one() - y)
+    } else {
+        let sum = T::one() + q + k * tau;
+        sum * sum / (two * (T::one() + q - d * tau)) - T::one()
+    };
+    let m0 = excess.ln_1p() / k;
     let m1 = (q - T::one() + d * m0) / k2;
     let m2 = (tau * q - m0 + T::from_f64(3.0) * d * m1) / (two * k2);
     [m0, m1, m2]

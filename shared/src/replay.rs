@@ -9,6 +9,7 @@
 //! Deadline and cost: one [`Replay::tick`] visits the segments that the tick touches, at most all
 //! [`MAX_SEGMENTS`] of them; no allocation, no unbounded loop, finite output for every input.
 
+use crate::messages::Setpoint;
 use crate::model::{Limits, Segment, State};
 use crate::motion::{self, Turn};
 use crate::plane::Plane;
@@ -227,8 +228,12 @@ impl Replay {
         let average = |integral: f32, owed: f32| {
             if span_s > 0.0 { integral / span_s + owed / repayment_s } else { 0.0 }
         };
-        let rate_bound = RATE_HEADROOM * self.plan.limits.rate_max_radps;
-        let thrust_bound = THRUST_HEADROOM * self.plan.limits.thrust_max_mps2;
+        let Limits { rate_max_radps, thrust_max_mps2, .. } = self.plan.limits;
+        // Nor beyond what any setpoint may ask for: a debt that is larger is paid over some ticks.
+        let rate_bound =
+            at_most(RATE_HEADROOM * rate_max_radps, at_least(Setpoint::RATE_MAX_RADPS, rate_max_radps));
+        let thrust_bound =
+            at_most(THRUST_HEADROOM * thrust_max_mps2, at_least(Setpoint::THRUST_MAX_MPS2, thrust_max_mps2));
         self.last = Command {
             rate_radps: at_most(at_least(average(angle, self.owed_angle_rad), -rate_bound), rate_bound),
             thrust_mps2: at_most(at_least(average(impulse, self.owed_impulse_mps), 0.0), thrust_bound),

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checksum::crc32;
 use crate::frames::MOTORS;
+use crate::messages::Setpoint;
 use crate::model::GRAVITY_MPS2;
 use crate::table::PlanLimits;
 
@@ -84,7 +85,7 @@ pub enum VehicleError {
     Battery,
     /// Plan limits beyond the rotors or the gyro.
     #[error(
-        "plan limits: thrust above gravity and within the rotors with torque in reserve, rate 0.5 to 30 rad/s"
+        "plan limits: thrust above gravity, at most 100 m/s² and within the rotors with torque in reserve, rate 0.5 to 30 rad/s"
     )]
     PlanLimits,
     /// Two rotors on one output, or an output that is none.
@@ -148,6 +149,7 @@ impl VehicleConfig {
         ensure(rising && (0.0..=1.0).contains(&self.sag_v_per_n), E::Battery)?;
         let limits = self.plan_limits();
         let thrust = self.plan_thrust_max_mps2 > GRAVITY_MPS2 as f32
+            && self.plan_thrust_max_mps2 <= Setpoint::THRUST_MAX_MPS2
             && self.plan_thrust_max_mps2 <= self.thrust_available_mps2(self.battery_nominal_v)
             && limits.thrust_min_mps2 < GRAVITY_MPS2 as f32;
         ensure(thrust && (0.5..=30.0).contains(&self.plan_rate_max_radps), E::PlanLimits)?;

@@ -3,9 +3,10 @@
 mod bench;
 
 use bench::{Bench, Board};
+use emulator::bus::Peripherals;
 use emulator::devices::{CRSF_HIGH, CRSF_LOW, CrsfDefect, CrsfReceiver};
 use mintime::flight::{Outcome, Phase, VirtualVehicle};
-use mintime_shared::messages::{AbortReason, FlightState};
+use mintime_shared::messages::{AbortReason, FlightState, IncidentCause, Reply, Request};
 
 /// Into the hover of each flight that breaks there, ms.
 const IN_HOVER_MS: u64 = 300;
@@ -64,6 +65,32 @@ fn a_receiver_that_is_not_heard_any_more_stops_the_motors() {
     let after_ms = killed_after_ms(AbortReason::KillLost, |receiver| receiver.link_quality = 0);
     println!("link lost: motors off after {after_ms:.1} ms");
     assert!(after_ms < 10.0 * 4.0 + 1.1 + 2.7, "{after_ms} ms");
+}
+
+/// What stopped a flight is told over any resets, and before what stopped the vehicle that lay there.
+#[test]
+fn the_first_of_two_emergencies_outlives_a_reset() {
+    let mut bench = Bench::real(11).at_power_up(plug_in).then(Phase::Hover, IN_HOVER_MS, |vehicle| {
+        change(vehicle, |receiver| receiver.channels[4] = CRSF_LOW);
+    });
+    assert_eq!(bench.assert_lost(), (FlightState::Terminated, Some(AbortReason::KillSwitch)));
+    let causes = [AbortReason::KillSwitch, AbortReason::EmergencyStop].map(IncidentCause::Terminated);
+    for _ in 0..2 {
+        bench.board().peripherals.request_reset();
+        bench.pass_ms(1500);
+        assert_eq!(bench.status().incident.map(|incident| incident.cause), Some(causes[0]));
+        assert_eq!(bench.ask(&Request::EmergencyStop), Reply::Done);
+    }
+    change(&mut bench.vehicle, |receiver| receiver.channels[4] = CRSF_HIGH);
+    bench.pass_ms(100);
+    for cause in causes {
+        let incident = bench.status().incident.expect("it waits");
+        assert_eq!(incident.cause, cause);
+        assert_eq!(bench.ask(&Request::Acknowledge { incident: incident.number }), Reply::Done);
+    }
+    bench.board().peripherals.request_reset();
+    bench.pass_ms(1500);
+    assert_eq!(bench.status().incident, None);
 }
 
 /// The detector's interrupt stops the motors; the board stays at its start until the supply is back, and is disarmed then.

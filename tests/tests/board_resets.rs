@@ -15,6 +15,8 @@ use mintime_shared::seal::PairingKey;
 const STARTS_MS: u64 = 1500;
 /// Nothing lies there.
 const NOWHERE: u32 = 0x3000_0000;
+/// RAM that the firmware leaves alone.
+const SPARE_RAM: u32 = 0x2001_8000;
 
 const STOPPED: IncidentCause = IncidentCause::Terminated(AbortReason::EmergencyStop);
 
@@ -43,8 +45,27 @@ impl Bench {
 
     /// A jump to where nothing lies.
     fn crash(&mut self) {
+        self.crash_at(NOWHERE);
+    }
+
+    fn crash_at(&mut self, address: u32) {
         wake(self.board());
-        self.board().core.set_register(15, NOWHERE);
+        self.board().core.set_register(15, address);
+        self.pass_ms(STARTS_MS);
+    }
+
+    /// An index out of bounds, in an eighth line.
+    fn panic(&mut self) {
+        let panics = self.symbol("panic_bounds_check") & !1;
+        let (file, location) = (SPARE_RAM, SPARE_RAM + 0x100);
+        let words = [file, 8, 8, 1].map(u32::to_le_bytes);
+        wake(self.board());
+        let board = self.board();
+        board.memory.place(file, b"lost.rs ").expect("RAM");
+        board.memory.place(location, words.as_flattened()).expect("RAM");
+        for (register, value) in [(0, 3), (1, 2), (2, location), (15, panics)] {
+            board.core.set_register(register, value);
+        }
         self.pass_ms(STARTS_MS);
     }
 
@@ -140,6 +161,31 @@ fn a_crash_is_told_whatever_resets_follow() {
     // And what comes after it is told as ever.
     bench.starve();
     assert_eq!(bench.waits(), Some(IncidentCause::Watchdog));
+}
+
+/// The first crash is the cause, and stays the first to be told of; the latest is told behind it.
+#[test]
+fn the_first_and_the_latest_crash_are_told() {
+    let mut bench = Bench::started();
+    bench.crash();
+    bench.panic();
+    assert!(matches!(bench.waits(), Some(IncidentCause::HardFault { pc: NOWHERE, .. })));
+    // A third takes the second one's place, and what says less no place at all.
+    bench.crash_at(NOWHERE + 0x100);
+    bench.starve();
+    assert!(matches!(bench.acknowledge(), IncidentCause::HardFault { pc: NOWHERE, .. }));
+    // What waits on outlives a reset without the first, and stands before what comes after it.
+    bench.panic();
+    assert!(matches!(
+        bench.acknowledge(),
+        IncidentCause::HardFault { pc, .. } if pc == NOWHERE + 0x100
+    ));
+    bench.reset();
+    assert_eq!(bench.acknowledge(), IncidentCause::Panic(8));
+    assert_eq!(bench.waits(), None);
+    assert!(bench.log().says("count: 5"), "{:?}", bench.log().0);
+    bench.reset();
+    assert_eq!(bench.waits(), None);
 }
 
 /// Where the session may repeat nobody arms, whatever is replayed; who is not paired has nothing to lose by it.

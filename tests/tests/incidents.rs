@@ -3,6 +3,7 @@
 mod logic;
 
 use logic::Bench;
+use mintime_firmware::config::INCIDENTS;
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, FlightState, Happening, IncidentCause, KillSwitch, Purpose, Refusal, Reply,
     Request,
@@ -107,7 +108,9 @@ fn of_many_incidents_the_emergency_is_kept() {
     assert_eq!(bench.ask(Request::EmergencyStop), Reply::Done);
     bench.logic.report(IncidentCause::Watchdog);
     let terminated = IncidentCause::Terminated(AbortReason::EmergencyStop);
-    for cause in [IncidentCause::Panic(0), IncidentCause::Panic(1), IncidentCause::Panic(2), terminated] {
+    // The oldest that find room beside it.
+    let oldest = (0..INCIDENTS as u32 - 1).map(IncidentCause::Panic);
+    for cause in oldest.chain([terminated]) {
         assert_eq!(bench.logic.state(), FlightState::Terminated);
         assert_eq!(bench.telemetry().incident.map(|incident| incident.cause), Some(cause));
         assert_eq!(bench.acknowledge(), Reply::Done);

@@ -119,3 +119,26 @@ fn reference_maneuvers_arrive_and_keep_the_hamiltonian_at_zero() {
         assert!(miss.to_array().iter().all(|d| d.abs() < 1e-7), "{}: {miss:?}", case.name);
     }
 }
+
+/// An arc that begins beside the origin of p, where 2 artanh(y) has y round to 1 in `f32`: finite, and what `f64` says.
+#[test]
+fn an_arc_that_begins_beside_the_origin_is_finite() {
+    for drift in [-1.0e3_f32, -1.0e5, -1.0e6, -2.4e7, -1.0e9, -1.0e12] {
+        for rate in [0.0_f32, 1.0e-24, -1.0e-9, 1.0] {
+            for step in 1..=200 {
+                let tau = 0.01 * step as f32;
+                let coarse = singular(Arc { rate, drift }, tau);
+                let fine = singular(Arc { rate: f64::from(rate), drift: f64::from(drift) }, f64::from(tau));
+                for (coarse, fine) in [
+                    (coarse.velocity_along, fine.velocity_along),
+                    (coarse.velocity_across, fine.velocity_across),
+                    (coarse.position_along, fine.position_along),
+                    (coarse.position_across, fine.position_across),
+                ] {
+                    let apart = (f64::from(coarse) - fine).abs();
+                    assert!(apart < 1.0e-3 * f64::from(tau), "{rate} {drift} {tau}: {coarse} {fine}");
+                }
+            }
+        }
+    }
+}

@@ -1,8 +1,10 @@
 //! Replay in `f32` against a plant integrated exactly in `f64`.
 
-use mintime_shared::model::State;
+use mintime_shared::messages::Setpoint;
+use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
 use mintime_shared::motion::{advance, bang};
 use mintime_shared::replay::{Command, Plan, Replay, Step, TickPeriod};
+use mintime_shared::table::{ANY_VEHICLE, Kind, LinkPolicy, ManeuverTable, TableHeader};
 use mintime_tests::{ReferenceCase, reference_cases};
 use proptest::prelude::*;
 
@@ -191,5 +193,53 @@ fn integrals_add_up() {
         let end: State<f64> = plan.state_at(t).cast();
         let miss = end.minus(case.to);
         assert!(miss.x.abs() < 1e-4 && miss.z.abs() < 1e-4, "{}: {miss:?}", case.name);
+    }
+}
+
+/// What a missed tick owes is paid without asking for more than a gyro can measure, however fast the plan turns.
+#[test]
+fn no_debt_is_paid_beyond_the_gyros_range() {
+    const SWITCH_S: f32 = 0.1;
+    for rate_max_radps in [11.0_f32, 12.0, 15.0, 30.0] {
+        let limits =
+            Limits { thrust_min_mps2: 1.0, thrust_max_mps2: 20.0, rate_max_radps, gravity_mps2: 9.81 };
+        let segments = [RateMode::Plus, RateMode::Minus]
+            .map(|rate| Segment { inputs: Inputs { rate, thrust: ThrustLevel::Max }, duration: SWITCH_S });
+        let end = [1.0, -1.0].iter().fold(State::at_rest(0.0, 0.0), |state, sign| {
+            let turn = bang(sign * rate_max_radps, SWITCH_S);
+            advance(state, limits.thrust_max_mps2, limits.gravity_mps2, SWITCH_S, &turn)
+        });
+        let header = TableHeader {
+            vehicle: ANY_VEHICLE,
+            kind: Kind::Extremal,
+            link: LinkPolicy::Finish,
+            limits,
+            heading_rad: 0.0,
+            start: State::at_rest(0.0, 0.0),
+            end,
+        };
+        let table = ManeuverTable::new(header, None, segments).expect("a table");
+        let mut fastest: f32 = 0.0;
+        for missed in 0..150 {
+            let mut replay = Replay::new(Plan::new(&table), 0);
+            let (mut now_us, mut angle, mut tick) = (0, 0.0, 0);
+            while let Step::Fly(command) = replay.tick(now_us, &TickPeriod::new()) {
+                let within = Setpoint {
+                    rates_radps: [0.0, command.rate_radps, 0.0],
+                    thrust_mps2: command.thrust_mps2,
+                };
+                assert!(within.is_in_range(), "{rate_max_radps} rad/s, tick {missed} missed: {command:?}");
+                fastest = fastest.max(command.rate_radps.abs());
+                let held_us = if tick == missed { 2500 } else { 1250 };
+                angle += command.rate_radps * held_us as f32 * 1.0e-6;
+                now_us += held_us;
+                tick += 1;
+            }
+            assert!(
+                angle.abs() < 2.0e-3,
+                "{rate_max_radps} rad/s, tick {missed} missed: {angle} rad are owed"
+            );
+        }
+        assert!(fastest > 1.05 * rate_max_radps, "{rate_max_radps} rad/s: a debt is paid");
     }
 }

@@ -95,8 +95,8 @@ struct Control {
 /// What nobody has acknowledged and the next start must know of.
 #[derive(Clone, Copy)]
 pub(super) struct Earlier {
-    /// Number of the incident in which the run before ended.
-    pub(super) crash: Option<u16>,
+    /// Numbers of the incidents in which earlier runs ended, by the places of [`fault::kept`].
+    pub(super) crashes: [Option<u16>; fault::CRASH_COUNT],
     /// Why the motors were stopped for good, in this run or before.
     pub(super) termination: Option<AbortReason>,
 }
@@ -316,17 +316,20 @@ impl Control {
     /// Keeps over a reset what waits to be acknowledged, and forgets it once a person has read of it.
     #[inline(never)]
     fn keep_incidents(&mut self) {
-        let mut waits = Earlier { crash: None, termination: None };
+        let mut waits = Earlier { crashes: [None; fault::CRASH_COUNT], termination: None };
         for incident in self.vehicle.incidents() {
-            if Some(incident.number) == self.kept.crash {
-                waits.crash = self.kept.crash;
+            for (waits, kept) in waits.crashes.iter_mut().zip(self.kept.crashes) {
+                *waits = waits.or(kept.filter(|number| *number == incident.number));
             }
+            // The first of them: those behind it can only be stops of a vehicle that stood.
             if let IncidentCause::Terminated(reason) = incident.cause {
-                waits.termination = Some(reason);
+                waits.termination = waits.termination.or(Some(reason));
             }
         }
-        if waits.crash != self.kept.crash {
-            fault::forget();
+        for (place, (waits, kept)) in waits.crashes.iter().zip(&self.kept.crashes).enumerate() {
+            if waits != kept {
+                fault::forget(place);
+            }
         }
         if waits.termination != self.kept.termination {
             fault::keep_termination(waits.termination);

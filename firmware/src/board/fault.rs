@@ -5,9 +5,9 @@
 #![allow(unsafe_code)]
 
 use core::cell::UnsafeCell;
-use core::mem::MaybeUninit;
+use core::mem::{self, MaybeUninit};
 use core::panic::PanicInfo;
-use core::ptr;
+use core::{ptr, slice};
 
 use cortex_m::peripheral::SCB;
 use cortex_m_rt::exception;
@@ -21,7 +21,10 @@ const MAGIC: u32 = 0x4D54_4352;
 /// Bytes kept of the name of the file that panicked.
 const FILE_BYTES: usize = 32;
 
-/// What ended the last run.
+/// Crashes that are kept at most.
+pub(super) const CRASH_COUNT: usize = 2;
+
+/// What ended a run.
 #[derive(Clone, Copy, PartialEq, Eq, defmt::Format)]
 #[repr(u32)]
 pub(super) enum Kind {
@@ -81,6 +84,7 @@ struct Record {
     file: [u8; FILE_BYTES],
     /// Crashes since power came on.
     count: u32,
+    /// Of all before it.
     check: u32,
 }
 
@@ -102,24 +106,16 @@ impl Record {
     }
 
     /// FNV-1a over everything but the check itself: RAM after power-on is noise and must not pass for a crash.
+    #[inline(never)]
     fn checksum(&self) -> u32 {
-        let words = [
-            self.magic,
-            self.kind,
-            self.pc,
-            self.lr,
-            self.cfsr,
-            self.hfsr,
-            self.address,
-            self.line,
-            self.count,
-        ];
-        let bytes = words.iter().flat_map(|word| word.to_le_bytes()).chain(self.file);
-        bytes.fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+        // SAFETY: words and bytes without padding between them, all of them before the last.
+        let bytes =
+            unsafe { slice::from_raw_parts(ptr::from_ref(self).cast::<u8>(), mem::offset_of!(Self, check)) };
+        bytes.iter().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193))
     }
 }
 
-/// A crash of an earlier run, as reported at start-up.
+/// A crash that nobody has acknowledged, as reported at start-up.
 #[derive(Clone, Copy, defmt::Format)]
 pub(super) struct Crash {
     pub(super) kind: Kind,
@@ -131,7 +127,7 @@ pub(super) struct Crash {
     pub(super) line: u32,
     /// End of the file's name, padded with zeros.
     pub(super) file: [u8; FILE_BYTES],
-    /// Crashes since power came on, this one included.
+    /// Crashes since power came on, this one included; of the first also what it was counted for.
     pub(super) count: u32,
 }
 
@@ -148,6 +144,7 @@ impl Kept {
     }
 
     /// What is kept, acknowledged or not.
+    #[inline(never)]
     fn read(&self) -> Option<Record> {
         // SAFETY: every field is an integer, so whatever the RAM holds is a valid record; volatile, because the compiler
         // must not reason about memory that was never written by this run.
@@ -155,10 +152,16 @@ impl Kept {
         (record.magic == MAGIC && record.check == record.checksum()).then_some(record)
     }
 
+    #[inline(never)]
     fn write(&self, mut record: Record) {
         record.check = record.checksum();
         // SAFETY: see above; the pointer is that of a static of this type.
         unsafe { ptr::write_volatile(self.0.get().cast::<Record>(), record) }
+    }
+
+    /// What is kept and nobody has acknowledged.
+    fn waiting(&self) -> Option<Record> {
+        self.read().filter(|record| record.kind != 0)
     }
 
     /// A person has read of it. Its count stays, so that repeated crashes are seen.
@@ -169,62 +172,82 @@ impl Kept {
     }
 }
 
-/// How a run ended.
+/// Crashes that wait to be acknowledged: the first, which is the cause, and the latest behind it.
 #[unsafe(link_section = ".uninit.crash")]
-static CRASH: Kept = Kept::new();
+static CRASHES: [Kept; CRASH_COUNT] = [const { Kept::new() }; CRASH_COUNT];
 /// Why the flight logic stopped the motors for good. By itself, so that neither a crash nor this displaces the other.
 #[unsafe(link_section = ".uninit.termination")]
 static TERMINATION: Kept = Kept::new();
 
-/// Motors told to stop, their lines low, reason kept, reset. `fill` adds what the caller knows.
-fn stop_with(kind: Kind, fill: impl FnOnce(&mut Record)) -> ! {
+/// Motors told to stop, their lines low. First of all, whatever ends the run: registers only.
+fn stop_motors() {
     cortex_m::interrupt::disable();
     motors::shut_down();
-    keep(kind, fill);
+}
+
+/// Ends the run, whose motors have been stopped: the reason kept, reset.
+fn end(record: Record) -> ! {
+    keep(record);
     SCB::sys_reset()
 }
 
-fn keep(kind: Kind, fill: impl FnOnce(&mut Record)) {
-    let mut record = Record::new(kind);
-    record.count = CRASH.read().map_or(0, |earlier| earlier.count).saturating_add(1);
-    fill(&mut record);
-    CRASH.write(record);
+/// Keeps how a run ended, behind what waits to be acknowledged: the first of several crashes is the cause, and what the others
+/// may follow from. There are two places, so the latest takes that of the one before it.
+#[inline(never)]
+fn keep(record: Record) {
+    let [first, latest] = &CRASHES;
+    let record = Record { count: crash_count().saturating_add(1), ..record };
+    match (first.waiting(), latest.waiting()) {
+        (None, None) => first.write(record),
+        (Some(_), _) => latest.write(record),
+        (None, Some(earlier)) => {
+            first.write(earlier);
+            latest.write(record);
+        }
+    }
+}
+
+/// Crashes since power came on.
+fn crash_count() -> u32 {
+    CRASHES.iter().filter_map(Kept::read).fold(0, |most, record| most.max(record.count))
 }
 
 /// Keeps what tells no more than its kind. What waits to be acknowledged tells as much or more: it stays, and is counted.
 fn keep_plain(kind: Kind) {
-    match CRASH.read().filter(|earlier| earlier.kind != 0) {
-        Some(earlier) => CRASH.write(Record { count: earlier.count.saturating_add(1), ..earlier }),
-        None => keep(kind, |_| {}),
+    match CRASHES.iter().find_map(|kept| Some((kept, kept.waiting()?))) {
+        Some((kept, earlier)) => kept.write(Record { count: crash_count().saturating_add(1), ..earlier }),
+        None => keep(Record::new(kind)),
     }
 }
 
 /// Ends the run because a peripheral refused its set-up, or to work on; `step` tells which.
 pub(super) fn set_up_failed(step: u32) -> ! {
-    stop_with(Kind::SetUp, |record| record.line = step)
+    stop_motors();
+    end(Record { line: step, ..Record::new(Kind::SetUp) })
 }
 
 /// Ends the run because the chip's supply falls. From a handler of the highest priority: registers and the record only.
 pub(super) fn brown_out() -> ! {
-    cortex_m::interrupt::disable();
-    motors::shut_down();
+    stop_motors();
     keep_plain(Kind::BrownOut);
     SCB::sys_reset()
 }
 
-/// How the run before ended, if in a crash that nobody has acknowledged.
-pub(super) fn kept() -> Option<Crash> {
-    let record = CRASH.read()?;
-    Some(Crash {
-        kind: Kind::from_word(record.kind)?,
-        pc: record.pc,
-        lr: record.lr,
-        cfsr: record.cfsr,
-        hfsr: record.hfsr,
-        address: record.address,
-        line: record.line,
-        file: record.file,
-        count: record.count,
+/// How runs ended that crashed, as far as nobody has acknowledged it: each in its place, the earlier first.
+pub(super) fn kept() -> [Option<Crash>; CRASH_COUNT] {
+    CRASHES.each_ref().map(|kept| {
+        let record = kept.read()?;
+        Some(Crash {
+            kind: Kind::from_word(record.kind)?,
+            pc: record.pc,
+            lr: record.lr,
+            cfsr: record.cfsr,
+            hfsr: record.hfsr,
+            address: record.address,
+            line: record.line,
+            file: record.file,
+            count: record.count,
+        })
     })
 }
 
@@ -238,9 +261,11 @@ pub(super) fn note_reset(cause: ResetCause) {
     keep_plain(kind);
 }
 
-/// A person has read of how the run before ended.
-pub(super) fn forget() {
-    CRASH.forget();
+/// A person has read of the crash in this place.
+pub(super) fn forget(place: usize) {
+    if let Some(kept) = CRASHES.get(place) {
+        kept.forget();
+    }
 }
 
 /// Keeps why the motors were stopped for good, or that a person has read of it. From the control tick: 5 µs.
@@ -298,17 +323,18 @@ pub(super) fn take_reset_cause() -> ResetCause {
 
 #[panic_handler]
 fn panic(info: &PanicInfo<'_>) -> ! {
-    stop_with(Kind::Panic, |record| {
-        if let Some(location) = info.location() {
-            record.line = location.line();
-            // The end of the path tells more than its beginning.
-            let name = location.file().as_bytes();
-            let tail = name.get(name.len().saturating_sub(FILE_BYTES)..).unwrap_or(name);
-            for (kept, byte) in record.file.iter_mut().zip(tail) {
-                *kept = *byte;
-            }
+    stop_motors();
+    let mut record = Record::new(Kind::Panic);
+    if let Some(location) = info.location() {
+        record.line = location.line();
+        // The end of the path tells more than its beginning.
+        let name = location.file().as_bytes();
+        let tail = name.get(name.len().saturating_sub(FILE_BYTES)..).unwrap_or(name);
+        for (kept, byte) in record.file.iter_mut().zip(tail) {
+            *kept = *byte;
         }
-    })
+    }
+    end(record)
 }
 
 /// Entry of the hard fault.
@@ -338,36 +364,41 @@ unsafe extern "C" {
 
 /// Second half of the hard fault, on a fresh stack. `frame` is where the processor stacked its registers.
 extern "C" fn hard_fault(frame: u32) -> ! {
+    stop_motors();
     // SAFETY: a peripheral that every Cortex-M has; nothing else runs any more.
     let scb = unsafe { &*SCB::PTR };
-    stop_with(Kind::HardFault, |record| {
-        record.cfsr = scb.cfsr.read();
-        record.hfsr = scb.hfsr.read();
-        record.address = scb.bfar.read();
-        // The stacked registers are r0..r3, r12, lr, pc, xpsr; they are there unless the stack itself overflowed.
-        let lowest = &raw const _stack_end as u32;
-        let highest = &raw const _stack_start as u32;
-        if frame >= lowest && frame.saturating_add(32) <= highest {
-            let word = |offset: u32| {
-                // SAFETY: inside the stack, as just checked, and aligned: the processor aligns its frames.
-                unsafe { ptr::read_volatile((frame + offset) as *const u32) }
-            };
-            record.lr = word(20);
-            record.pc = word(24);
-        } else {
-            record.kind = Kind::StackOverflow as u32;
-        }
-    })
+    let mut record = Record {
+        cfsr: scb.cfsr.read(),
+        hfsr: scb.hfsr.read(),
+        address: scb.bfar.read(),
+        ..Record::new(Kind::HardFault)
+    };
+    // The stacked registers are r0..r3, r12, lr, pc, xpsr; they are there unless the stack itself overflowed.
+    let lowest = &raw const _stack_end as u32;
+    let highest = &raw const _stack_start as u32;
+    if frame >= lowest && frame.saturating_add(32) <= highest {
+        let word = |offset: u32| {
+            // SAFETY: inside the stack, as just checked, and aligned: the processor aligns its frames.
+            unsafe { ptr::read_volatile((frame + offset) as *const u32) }
+        };
+        record.lr = word(20);
+        record.pc = word(24);
+    } else {
+        record.kind = Kind::StackOverflow as u32;
+    }
+    end(record)
 }
 
 /// The clock monitor's interrupt: the crystal stopped and the chip runs on its internal oscillator.
 #[exception]
 unsafe fn NonMaskableInt() -> ! {
-    stop_with(Kind::ClockLost, |_| {})
+    stop_motors();
+    end(Record::new(Kind::ClockLost))
 }
 
 /// Any interrupt that nobody handles; keeps its number.
 #[exception]
 unsafe fn DefaultHandler(number: i16) -> ! {
-    stop_with(Kind::UnexpectedInterrupt, |record| record.pc = u32::from(number.unsigned_abs()))
+    stop_motors();
+    end(Record { pc: u32::from(number.unsigned_abs()), ..Record::new(Kind::UnexpectedInterrupt) })
 }

@@ -86,7 +86,7 @@ fn set_up() -> Tasks {
     watchdog::start();
     let cause = fault::take_reset_cause();
     fault::note_reset(cause);
-    let crash = fault::kept();
+    let crashes = fault::kept();
 
     let peripherals = embassy_stm32::init(facts::clocks());
     core_setup::enable_flash_caches();
@@ -99,7 +99,7 @@ fn set_up() -> Tasks {
     let run = entropy::draw(cortex_m::peripheral::DWT::cycle_count());
     defmt::info!("mintime firmware {=str}, reset by {}", env!("CARGO_PKG_VERSION"), cause);
     defmt::info!("run {=u64:016x}, random: {=bool}", run.bits, run.random);
-    if let Some(crash) = crash {
+    for crash in crashes.iter().flatten() {
         defmt::error!("the last run crashed: {}", crash);
     }
     let termination = fault::kept_termination();
@@ -108,7 +108,7 @@ fn set_up() -> Tasks {
     let vehicle = vehicle::take();
     // Half of the number: the other half is nobody's business.
     vehicle.set_session(run.bits as u32);
-    let crash_number = crash.as_ref().and_then(incident).map(|cause| vehicle.report(cause));
+    let crash_numbers = crashes.map(|crash| Some(vehicle.report(incident(&crash?)?)));
     if let Some(reason) = termination {
         vehicle.report(IncidentCause::Terminated(reason));
     }
@@ -127,10 +127,10 @@ fn set_up() -> Tasks {
 
     let radio = receiver::RadioReceiver::new(parts.receiver, KillSwitchConfig::DEFAULT);
     let motors = dshot::Motors::new(parts.motors);
-    let earlier = control::Earlier { crash: crash_number, termination };
+    let earlier = control::Earlier { crashes: crash_numbers, termination };
     let late_timer = tick_source::LateTimer::new(parts.late_timer);
     control::start(vehicle, earlier, run.random, receiver, radio, motors, late_timer);
-    let crashed = crash.is_some() || termination.is_some();
+    let crashed = crashes.iter().any(Option::is_some) || termination.is_some();
     Tasks { gyro: parts.gyro, transmitter, battery, led, crashed, store }
 }
 

@@ -5,7 +5,7 @@
 //! in which the program still does what it says.
 //!
 //! What follows: stop frames, motor lines low, the reason kept, reset. After the reset the board is disarmed; its start goes
-//! no further than here while the supply is low. Who wants motors again has to arm, and `fault::take` tells why.
+//! no further than here while the supply is low. Who wants motors again has to arm, and `fault::kept` tells why.
 #![allow(unsafe_code)]
 
 use embassy_stm32::interrupt;

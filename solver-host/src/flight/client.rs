@@ -13,6 +13,7 @@ use mintime_shared::messages::{
 use mintime_shared::seal::{PairingKey, seal};
 
 use super::connection::{ConnectionError, Line};
+use super::seal_counter::{self, SealCounter, SealsUsedUp};
 
 /// An answer is waited for this long before the request is sent again, s.
 const ANSWER_TIMEOUT_S: f64 = 0.05;
@@ -25,8 +26,6 @@ const PENDING_TIMEOUT_S: f64 = 10.0;
 /// ... but for this long where a person turns the vehicle by hand, s: the vehicle's own patience, 20 s until it rests, 20 s until
 /// it is turned, 30 s of turning.
 const BY_HAND_TIMEOUT_S: f64 = 75.0;
-/// Counters of seals follow the clock at this rate, 1/s, so that each program begins above where the one before it ended.
-const SEALS_PER_S: f64 = 500.0;
 
 /// Why a request has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -48,6 +47,9 @@ pub enum ClientError {
         "the vehicle speaks protocol version {0}, this mintime speaks {PROTOCOL_VERSION}: flash its firmware again"
     )]
     Version(u8),
+    /// It is paired, and its seals have begun anew.
+    #[error(transparent)]
+    Seals(#[from] SealsUsedUp),
     /// The line failed.
     #[error(transparent)]
     Connection(#[from] ConnectionError),
@@ -85,7 +87,7 @@ pub struct Client {
     key: Option<PairingKey>,
     /// The vehicle's session, if it wants seals.
     session: Option<u32>,
-    counter: u32,
+    seals: SealCounter,
 }
 
 impl Client {
@@ -257,8 +259,11 @@ impl Client {
                 && self.session.is_some()
                 && pending.request != Request::Identify
                 && self.telemetry_count > pending.telemetry_count;
-            let error =
-                if pending.unsealed || unheard { ClientError::Refused(Refusal::NotSealed) } else { silent };
+            let error = match pending.unsealed || unheard {
+                true if SealCounter::is_young(seal_counter::now_s()) => SealsUsedUp.into(),
+                true => ClientError::Refused(Refusal::NotSealed),
+                false => silent,
+            };
             (pending.tries >= TRIES).then_some(error)
         };
         if let Some(error) = failure {
@@ -276,15 +281,6 @@ impl Client {
         self.number
     }
 
-    /// The counter of the next seal: above every earlier one, of this program and of those before it.
-    fn next_counter(&mut self) -> u32 {
-        let since_epoch = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-        // Wraps after 99 days; a vehicle's session is one charge of a battery.
-        let by_clock = (since_epoch.map_or(0.0, |d| d.as_secs_f64()) * SEALS_PER_S) as u64 as u32;
-        self.counter = self.counter.saturating_add(1).max(by_clock);
-        self.counter
-    }
-
     fn transmit(
         &mut self,
         line: &mut impl Line,
@@ -297,7 +293,7 @@ impl Client {
         let mut frame = Frame::new();
         match sealed {
             Some((key, session)) => {
-                let counter = self.next_counter();
+                let counter = self.seals.next(seal_counter::now_s()).map_err(std::io::Error::other)?;
                 frame.fill_sealed(&uplink, |content| seal(&key, session, counter, content))
             }
             None => frame.fill(&uplink),

@@ -11,6 +11,7 @@ mod hops;
 mod hosted;
 mod outcome;
 mod position_control;
+mod seal_counter;
 mod virtual_board;
 mod world;
 
@@ -22,6 +23,7 @@ pub use hops::{Hop, HopFlight, HopPlan, fly_hops};
 pub use hosted::HostedVehicle;
 pub use outcome::{FlightError, FlightPlan, FlightResult, Outcome, Sight, Witness};
 pub use position_control::{Reference, control};
+pub use seal_counter::SealsUsedUp;
 pub use virtual_board::{BoardReport, VirtualBoardError, VirtualVehicle};
 pub use world::{Scene, Trace};
 
