@@ -64,7 +64,17 @@ fn motion_across_the_thrust_is_refused() {
         let BenchmarkError::Across { across_mps2, most_mps2, mirrored } = refused else {
             panic!("{refused}")
         };
-        assert!(across_mps2 > 6.0 && most_mps2 == 6.0 && mirrored == sign, "{refused}");
+        // 6 m/s², and what drag makes at the speed of this flight.
+        let (speeds, count) = flight
+            .samples()
+            .iter()
+            .fold((0.0, 0.0), |(sum, n), s| (sum + s.velocity_mps.norm_squared(), n + 1.0));
+        let about = 6.0 + 0.4 * f64::sqrt(speeds / count);
+        assert!(
+            across_mps2 > most_mps2 && (most_mps2 - about).abs() < 1.5 && most_mps2 >= 6.0,
+            "{refused} {about}"
+        );
+        assert_eq!(mirrored, sign, "{refused}");
         let told = refused.to_string();
         assert!(told.contains("--across") && told.contains("nose-down") == sign, "{told}");
         let free = Rules { across_mps2: 1e9, ..rules };
