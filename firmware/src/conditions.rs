@@ -9,6 +9,7 @@ use crate::config::{
     LOST_SAMPLES_ABORT, RUNAWAY_ERROR_RADPS, RUNAWAY_TICKS, SATURATED_TICKS, SETPOINT_FRESH_US,
 };
 use crate::flight::{Clock, FlightLogic};
+use crate::keeping::Key;
 use crate::recorder::RecordMemory;
 use crate::supervisor::Conditions;
 use crate::tables::Committed;
@@ -83,13 +84,14 @@ impl<M: RecordMemory> FlightLogic<M> {
     }
 
     /// No kill switch, but thrust is capped: work on the bench.
-    fn kill_is_waived(&self) -> bool {
+    pub(crate) fn kill_is_waived(&self) -> bool {
         self.kill == KillSwitch::Absent && self.settings.bench_thrust_mps2 > 0.0
     }
 
     /// Highest thrust allowed, m/s², where it is capped.
     pub(crate) fn thrust_cap_mps2(&self) -> Option<f32> {
-        self.kill_is_waived().then_some(self.settings.bench_thrust_mps2)
+        let on_bench = self.kill_is_waived() || (self.on_bench && self.state().motors_on());
+        on_bench.then_some(self.settings.bench_thrust_mps2)
     }
 
     /// Whether the kill switch forbids to go on.
@@ -130,6 +132,10 @@ impl<M: RecordMemory> FlightLogic<M> {
             .when(B::TILTED, self.tilt_cos().is_some_and(|cos| cos < ARMING_TILT_COS))
             .when(B::NO_VEHICLE, !self.known)
             .when(B::STORING, self.is_storing())
+            // Other values than were written last may be in force: nobody flies with them, whatever was acknowledged.
+            .when(B::DAMAGED_VEHICLE, self.damaged.of(Key::Vehicle))
+            .when(B::DAMAGED_SETTINGS, self.damaged.of(Key::Settings))
+            .when(B::DAMAGED_PAIRING, self.damaged.of(Key::Pairing))
     }
 
     /// Whether the vehicle stands in the air as the table's start wants it: its thrust axis and rates are all it knows of that.

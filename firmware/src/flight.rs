@@ -121,6 +121,8 @@ pub struct FlightLogic<M> {
     // What it decides.
     pub(crate) supervisor: Supervisor,
     pub(crate) purpose: Purpose,
+    /// No kill switch was heard before the motors were switched on: whatever is heard since, thrust stays capped.
+    pub(crate) on_bench: bool,
     pub(crate) motor_test: Option<MotorTest>,
     pub(crate) incidents: Incidents,
     pub(crate) state_since_us: u64,
@@ -212,6 +214,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             link_errors: 0,
             supervisor: Supervisor::new(),
             purpose: Purpose::Flight,
+            on_bench: false,
             motor_test: None,
             incidents: Incidents::new(),
             state_since_us: 0,

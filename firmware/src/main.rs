@@ -11,7 +11,7 @@
 //! | no edge from the gyro | – | 1875 µs | a timer | the flight logic runs without a sample |
 //! | motors' frame is finished | 1250 µs | the next tick | a DMA stream and its interrupt | counted, timer and stream reset; eight in a row with the motors on end the run |
 //! | received bytes leave the DMA ring | 1.25 ms | 11 ms | the control tick takes 128 bytes, a little more than the line brings | the damaged frames are dropped by their checksum |
-//! | one burst on the wire | – | 20 ms | 256 bytes take 2.8 ms | burst given up, counted |
+//! | one burst on the wire | – | 10 ms | 256 bytes take 2.8 ms | burst given up, counted |
 //! | supervision: check-ins, battery, LED | 20 ms | 64 ms | no waits inside | the watchdog resets the board |
 //! | start-up, clocks included | once | 349 ms | – | the watchdog resets the board |
 //! | set-up of the gyro, a try | once | 300 ms | each step has its own bound; beside everything else | tried again, four times; then arming is refused and telemetry says why |

@@ -14,6 +14,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.drive_v = self.battery_v.or(self.drive_v);
         self.kill = input.kill;
         let motors_off = !self.state().motors_on();
+        if motors_off {
+            self.on_bench = self.kill_is_waived();
+        }
         self.gyro.update(input.imu.as_ref(), self.commanded.rates_radps, motors_off);
         self.accel_mps2 = input.imu.map(|imu| imu.accel_mps2).filter(|a| a.iter().all(|v| v.is_finite()));
         self.to_estimate = Some(input.imu);

@@ -49,7 +49,8 @@ impl Tables {
     /// Takes a chunk and returns how many bytes are held from the beginning on.
     #[inline(never)]
     pub(crate) fn stage(&mut self, total: u16, offset: u16, bytes: &[u8]) -> Result<u16, Refusal> {
-        if bytes.is_empty() || usize::from(total) > MAX_TABLE_BYTES {
+        let (begin, end) = (usize::from(offset), usize::from(offset).saturating_add(bytes.len()));
+        if bytes.is_empty() || usize::from(total) > MAX_TABLE_BYTES || end > usize::from(total) {
             return Err(Refusal::Table(TableError::Length));
         }
         if offset == 0 && (self.total != total || self.staged.get(..bytes.len()) != Some(bytes)) {
@@ -57,8 +58,7 @@ impl Tables {
             self.total = total;
         }
         let held = self.staged.len();
-        let (begin, end) = (usize::from(offset), usize::from(offset).saturating_add(bytes.len()));
-        if total != self.total || end > usize::from(total) {
+        if total != self.total {
             return Err(Refusal::Table(TableError::Length));
         }
         if begin > held {

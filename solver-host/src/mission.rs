@@ -1,12 +1,16 @@
 //! From a request to a flown maneuver: solve, pack, check the room, fly, compare with truth.
 
+mod flown;
 mod peak_speed;
 mod plan_frame;
+mod room;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+pub use flown::{Flown, PlanarError, rate_in_plane};
 pub use plan_frame::PlanFrame;
+pub use room::{CATCH_DISTANCE_M, CATCH_TIME_S, Extent, Room};
 
 use emulator::core::Timing;
 use mintime_firmware::config::VehicleConfig;
@@ -14,28 +18,21 @@ use mintime_shared::messages::PROTOCOL_VERSION;
 use mintime_shared::model::{Limits, LimitsError, State};
 use mintime_shared::replay::Plan;
 use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable, TableError};
-use mintime_simulator::{Model, ParameterError, Simulator, SimulatorError, Truth, VehicleParameters};
+use mintime_simulator::{Model, ParameterError, Simulator, SimulatorError, VehicleParameters};
 use nalgebra::Vector3;
 
 use crate::firmware_image::FirmwareImage;
 use crate::flight::{
-    BoardReport, FlightError, FlightPlan, FlightResult, HostedVehicle, Outcome, Phase, Scene, Trace,
+    BoardReport, FlightError, FlightPlan, FlightResult, HostedVehicle, Phase, Scene, Trace,
     VirtualBoardError, VirtualVehicle, Witness, fly,
 };
 use crate::pack::{PackError, pack};
 use crate::solver::{Request, Solution, SolveError, Turns, solve};
 
-/// Free space around the planned path that catching the vehicle may take, m: this, ...
-pub const CATCH_DISTANCE_M: f64 = 1.0;
-/// ... plus this for each m/s of the path's peak speed, s. Drag and lag of a vehicle that has not learned its maneuver
-/// leave it with a part of that speed.
-pub const CATCH_TIME_S: f64 = 0.25;
 /// Thrust that the rotors must give over what is planned, so that attitude keeps authority at full thrust.
 pub const THRUST_MARGIN: f64 = 1.15;
 /// Gravity of plan and plant may differ by this, m/s².
 const GRAVITY_TOLERANCE_MPS2: f64 = 0.05;
-/// Step at which the path is sampled for its extent, s.
-const PATH_STEP_S: f64 = 1.0e-3;
 
 /// Where the maneuver comes from.
 #[derive(Clone, Debug)]
@@ -109,80 +106,6 @@ impl PlantChoice {
             }
         };
         Ok(Self { name: argument.to_owned(), parameters })
-    }
-}
-
-/// Free space, relative to the start of the maneuver, m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Room {
-    /// Behind the start (negative) and ahead of it: along the maneuver's plane, or along the vehicle's nose where `y_m`
-    /// is given.
-    pub x_m: (f64, f64),
-    /// To the right of the start (negative) and to the left of it, seen along the nose; `None` where sideways space is no
-    /// matter.
-    pub y_m: Option<(f64, f64)>,
-    /// Below the start (negative: the floor) and above it.
-    pub z_m: (f64, f64),
-}
-
-/// What a planned path needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// Least and greatest x, m.
-    pub x_m: (f64, f64),
-    /// Least and greatest z, m.
-    pub z_m: (f64, f64),
-    /// Greatest speed, m/s.
-    pub peak_speed_mps: f64,
-}
-
-impl Extent {
-    /// Of a plan, relative to its start.
-    fn of(plan: &Plan) -> Self {
-        let start = plan.state_at(0.0);
-        let steps = (f64::from(plan.duration_s()) / PATH_STEP_S).ceil() as usize;
-        let mut extent = Self { x_m: (0.0, 0.0), z_m: (0.0, 0.0), peak_speed_mps: 0.0 };
-        for i in 0..=steps {
-            let s = plan.state_at(((i as f64 * PATH_STEP_S) as f32).min(plan.duration_s()));
-            let (x, z) = (f64::from(s.x - start.x), f64::from(s.z - start.z));
-            extent.x_m = (extent.x_m.0.min(x), extent.x_m.1.max(x));
-            extent.z_m = (extent.z_m.0.min(z), extent.z_m.1.max(z));
-            extent.peak_speed_mps = extent.peak_speed_mps.max(f64::from(s.vx).hypot(f64::from(s.vz)));
-        }
-        extent
-    }
-
-    /// Space to catch the vehicle in, m.
-    pub fn catch_distance_m(&self) -> f64 {
-        CATCH_DISTANCE_M + CATCH_TIME_S * self.peak_speed_mps
-    }
-
-    /// Whether path and catch distance fit.
-    fn check(&self, room: &Room, heading_rad: f64) -> Result<(), MissionError> {
-        let catch = self.catch_distance_m();
-        let seen_along = |part: f64| {
-            let (a, b) = (self.x_m.0 * part, self.x_m.1 * part);
-            (a.min(b), a.max(b))
-        };
-        let (sin, cos) = heading_rad.sin_cos();
-        let (x_m, y_m) =
-            if room.y_m.is_some() { (seen_along(cos), seen_along(sin)) } else { (self.x_m, (0.0, 0.0)) };
-        let y_free = room.y_m.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let sides = [
-            ("behind", -room.x_m.0, -x_m.0),
-            ("ahead of", room.x_m.1, x_m.1),
-            ("to the right of", -y_free.0, -y_m.0),
-            ("to the left of", y_free.1, y_m.1),
-            ("below", -room.z_m.0, -self.z_m.0),
-            ("above", room.z_m.1, self.z_m.1),
-        ];
-        for (side, free_m, path_m) in sides {
-            let needed_m = path_m + catch;
-            if free_m < needed_m {
-                return Err(MissionError::Room { side, free_m, needed_m, catch_m: catch });
-            }
-        }
-        Ok(())
     }
 }
 
@@ -345,152 +268,6 @@ impl Prepared {
         let length = self.table.encode(&mut buffer)?;
         self.bytes = buffer[..length].to_vec();
         Ok(())
-    }
-}
-
-/// A flown mission.
-#[derive(Debug)]
-pub struct Flown {
-    /// What was flown.
-    pub prepared: Prepared,
-    /// How it went; an error for a flight that was lost.
-    pub flight: Result<FlightResult, FlightError>,
-    /// What flew: its name.
-    pub vehicle: &'static str,
-    /// What the emulator measured, where it ran the vehicle.
-    pub emulated: Option<EmulatedFlight>,
-    /// What was logged on the side.
-    pub trace: Trace,
-    /// Virtual time that the flight took, s.
-    pub virtual_time_s: f64,
-    /// Wall time that flying took, s.
-    pub wall_time_s: f64,
-}
-
-/// Truth less plan, at one instant, in the maneuver's plane and across it. SI units.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
-pub struct PlanarError {
-    /// Position along the heading.
-    pub x_m: f64,
-    /// Velocity along the heading.
-    pub vx_mps: f64,
-    /// Height.
-    pub z_m: f64,
-    /// Vertical velocity.
-    pub vz_mps: f64,
-    /// Pitch angle.
-    pub theta_rad: f64,
-    /// Pitch rate. Plans begin at rest and end turning, often at the limit.
-    pub pitch_rate_radps: f64,
-    /// Position out of the plane, to the left of the heading.
-    pub y_m: f64,
-    /// Velocity out of the plane.
-    pub vy_mps: f64,
-}
-
-/// Rate of turn in the plane of a heading in the body frame, rad/s.
-pub fn rate_in_plane([roll, pitch, _]: [f64; 3], heading_rad: f64) -> f64 {
-    pitch * heading_rad.cos() - roll * heading_rad.sin()
-}
-
-impl PlanarError {
-    fn new(
-        difference: State<f64>,
-        [y_m, vy_mps]: [f64; 2],
-        truth: &Truth,
-        planned_rate_radps: f64,
-        heading_rad: f64,
-    ) -> Self {
-        let State { x, vx, z, vz, theta } = difference;
-        let pitch_rate_radps = rate_in_plane(truth.rates_radps, heading_rad) - planned_rate_radps;
-        Self { x_m: x, vx_mps: vx, z_m: z, vz_mps: vz, theta_rad: theta, pitch_rate_radps, y_m, vy_mps }
-    }
-}
-
-impl Flown {
-    /// Truth when the maneuver began less the planned start at the hover point. `None` if it never began.
-    pub fn start_error(&self) -> Option<PlanarError> {
-        let truth = self.trace.start.as_ref()?;
-        let planned = self.prepared.table.start.cast::<f64>();
-        let origin = State { x: planned.x, z: planned.z, ..State::origin() };
-        let heading_rad = self.heading_rad();
-        let difference = truth.planar(heading_rad).minus(planned.minus(origin));
-        Some(PlanarError::new(difference, truth.across(heading_rad), truth, 0.0, heading_rad))
-    }
-
-    /// Truth when the table's time had passed less the planned end, positions relative to the true start.
-    pub fn final_error(&self) -> Option<PlanarError> {
-        let heading_rad = self.heading_rad();
-        let (start, end) = (self.trace.start.as_ref()?, self.trace.end.as_ref()?);
-        let table = &self.prepared.table;
-        let began = start.planar(heading_rad);
-        let planned = table.end.cast::<f64>();
-        let from = table.start.cast::<f64>();
-        // θ counts from where the vehicle's own turn counter stood at the start, in whole turns.
-        let turn = core::f64::consts::TAU;
-        let counted = ((began.theta - from.theta) / turn).round() * turn;
-        let flown = end.planar(heading_rad);
-        let relative = State {
-            x: flown.x - began.x - (planned.x - from.x),
-            vx: flown.vx - planned.vx,
-            z: flown.z - began.z - (planned.z - from.z),
-            vz: flown.vz - planned.vz,
-            theta: flown.theta - counted - planned.theta,
-        };
-        let ([y0, _], [y, vy]) = (start.across(heading_rad), end.across(heading_rad));
-        Some(PlanarError::new(relative, [y - y0, vy], end, self.final_rate_radps(), heading_rad))
-    }
-
-    /// How it went, in one word: that of [`FlightResult::outcome`], `lost` for a flight that failed, `crashed` where the
-    /// vehicle hit the ground, whatever it reported itself.
-    pub fn outcome(&self) -> &'static str {
-        match &self.flight {
-            _ if self.crashed() => "crashed",
-            Ok(result) => result.outcome.name(),
-            Err(_) => "lost",
-        }
-    }
-
-    /// Why it went otherwise than planned, in words.
-    pub fn reason(&self) -> Option<String> {
-        let told = match &self.flight {
-            Ok(result) => result.reason.clone(),
-            Err(error) => Some(error.to_string()),
-        };
-        if !self.crashed() {
-            return told;
-        }
-        Some(format!("the vehicle hit the ground{}", told.map(|t| format!("; {t}")).unwrap_or_default()))
-    }
-
-    /// Flown to the end, caught and landed.
-    pub fn is_success(&self) -> bool {
-        !self.crashed() && self.flight.as_ref().is_ok_and(|r| r.outcome == Outcome::Completed)
-    }
-
-    fn crashed(&self) -> bool {
-        self.trace.last.as_ref().is_some_and(|truth| truth.crashed)
-    }
-
-    /// Pitch rate at which the plan ends, rad/s: it is still turning.
-    fn final_rate_radps(&self) -> f64 {
-        let plan = Plan::new(&self.prepared.table);
-        let (end_s, step_s) = (plan.duration_s(), 1.0e-4);
-        f64::from(plan.integrals((end_s - step_s).max(0.0), end_s).0 / step_s.min(end_s))
-    }
-
-    /// Heading of the plane that the maneuver is to be in, rad from the world's x axis, where the nose points.
-    pub fn heading_rad(&self) -> f64 {
-        self.prepared.heading_rad
-    }
-
-    /// Full turns of the maneuver.
-    pub fn turns(&self) -> i32 {
-        let table = &self.prepared.table;
-        self.prepared.solution.as_ref().map_or_else(
-            || ((table.end.theta - table.start.theta) / core::f32::consts::TAU).round() as i32,
-            |s| s.extremal.turns,
-        )
     }
 }
 

@@ -163,6 +163,20 @@ fn a_crash_is_told_whatever_resets_follow() {
     assert_eq!(bench.waits(), Some(IncidentCause::Watchdog));
 }
 
+/// What says no more than another counts as much as it.
+#[test]
+fn a_supply_that_falls_after_a_watchdog_reset_is_told_too() {
+    let mut bench = Bench::started();
+    bench.starve();
+    bench.board().peripherals.set_supply_v(2.8);
+    bench.pass_ms(2);
+    bench.board().peripherals.set_supply_v(3.3);
+    bench.pass_ms(STARTS_MS);
+    assert_eq!(bench.acknowledge(), IncidentCause::Watchdog);
+    assert_eq!(bench.acknowledge(), IncidentCause::BrownOut);
+    assert_eq!(bench.waits(), None);
+}
+
 /// The first crash is the cause, and stays the first to be told of; the latest is told behind it.
 #[test]
 fn the_first_and_the_latest_crash_are_told() {

@@ -161,8 +161,12 @@ fn damage_is_told_until_the_very_value_is_written_anew() {
     let mut board = Board::new(store.flash());
     assert_eq!(board.telemetry().incident.map(|i| i.cause), Some(IncidentCause::StoreDamaged));
     assert_eq!(board.acknowledge(), Reply::Done);
+    // Read of, and yet not to be flown with: another kill channel than the one that is connected may be in force.
+    let blocks = |board: &mut Board| board.telemetry().arming_block & ArmingBlock::DAMAGED_SETTINGS.0 != 0;
+    assert!(blocks(&mut board));
     // What is in force already is written all the same.
     assert_eq!(board.ask(&Request::WriteSettings(older)), Reply::Done);
+    assert!(!blocks(&mut board));
     assert_eq!(incident(&board.cells()), None);
 }
 

@@ -103,6 +103,7 @@ fn other_bytes_replace_what_follows() {
         chunk(bytes.len(), 71, &[bytes[71..].to_vec(), vec![0]].concat()),
         chunk(bytes.len(), 71, &[]),
         chunk(205, 0, &bytes[..10]),
+        chunk(10, 0, &bytes[..20]),
         chunk(usize::from(u16::MAX), 0, &bytes[..10]),
     ] {
         assert_eq!(bench.refusal(bad), Refusal::Table(TableError::Length));

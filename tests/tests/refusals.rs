@@ -7,6 +7,8 @@ use logic::{BOTH, Bench, FRESH_TICKS, HOVER, TICK_US, bytes_of, chunk, made_for,
 use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::gyro::ImuSample;
+use mintime_firmware::keeping::Key;
+use mintime_firmware::store::Damage;
 use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
@@ -641,6 +643,23 @@ fn provoke(reason: ArmingBlock) -> (ArmingBlock, Bench) {
             bench.run(401);
             let block = blocked(&mut bench);
             assert_eq!(bench.ask(Request::Disarm), Reply::Done);
+            (block, bench)
+        }
+        B::DAMAGED_VEHICLE | B::DAMAGED_SETTINGS | B::DAMAGED_PAIRING => {
+            let mut bench = Bench::ready();
+            let (key, anew) = match reason {
+                B::DAMAGED_VEHICLE => (Key::Vehicle, Request::WriteVehicle(VehicleConfig::REFERENCE)),
+                B::DAMAGED_SETTINGS => (Key::Settings, Request::WriteSettings(*bench.logic.settings())),
+                _ => (Key::Pairing, Request::Pair(None)),
+            };
+            let mut damage = Damage::NONE;
+            damage.set(key, true);
+            bench.logic.note_damage(damage);
+            assert_eq!(blocked(&mut bench).0, reason.0 | B::INCIDENT.0);
+            // To have read of it is not enough: nobody knows what the lost value was.
+            assert_eq!(bench.acknowledge(), Reply::Done);
+            let block = blocked(&mut bench);
+            assert_eq!(bench.ask(anew), Reply::Done);
             (block, bench)
         }
         other => panic!("nobody provokes {other}"),

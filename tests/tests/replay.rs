@@ -196,9 +196,9 @@ fn integrals_add_up() {
     }
 }
 
-/// What a missed tick owes is paid without asking for more than a gyro can measure, however fast the plan turns.
+/// What a missed tick owes is paid without asking for more than a setpoint may, however fast the plan turns.
 #[test]
-fn no_debt_is_paid_beyond_the_gyros_range() {
+fn no_debt_is_paid_beyond_what_a_setpoint_may_ask() {
     const SWITCH_S: f32 = 0.1;
     for rate_max_radps in [11.0_f32, 12.0, 15.0, 30.0] {
         let limits =

@@ -1,4 +1,4 @@
-//! Critical sections that leave the two most urgent interrupts on.
+//! Critical sections that leave the three most urgent interrupts on.
 //!
 //! The usual implementation masks every interrupt, so that a log line or a copy of received bytes would delay the time
 //! stamp of the gyro's edge unseen: a measured latency would be better than the true one. This one raises the

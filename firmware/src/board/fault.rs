@@ -212,9 +212,15 @@ fn crash_count() -> u32 {
     CRASHES.iter().filter_map(Kept::read).fold(0, |most, record| most.max(record.count))
 }
 
-/// Keeps what tells no more than its kind. What waits to be acknowledged tells as much or more: it stays, and is counted.
+/// Keeps what tells no more than its kind. Where a crash that tells more waits, or one of this very kind, that stays and is
+/// counted.
 fn keep_plain(kind: Kind) {
-    match CRASHES.iter().find_map(|kept| Some((kept, kept.waiting()?))) {
+    let stays = |earlier: &Record| {
+        let waits = Kind::from_word(earlier.kind);
+        waits == Some(kind) || !matches!(waits, Some(Kind::Watchdog | Kind::BrownOut))
+    };
+    let waiting = || CRASHES.iter().filter_map(|kept| Some((kept, kept.waiting()?)));
+    match waiting().find(|(_, earlier)| stays(earlier)) {
         Some((kept, earlier)) => kept.write(Record { count: crash_count().saturating_add(1), ..earlier }),
         None => keep(Record::new(kind)),
     }

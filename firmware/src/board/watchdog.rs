@@ -19,9 +19,10 @@ const RELOAD: u16 = 750;
 /// erase of a sector of 16 KiB takes 0.5 s at most when flash is programmed by words (DS8626, flash memory programming; 0.8 s
 /// by bytes), and the processor stands still meanwhile.
 const LONG_RELOAD: u16 = 4095;
-/// Longest wait for new values to arrive in the watchdog's clock domain, cycles of the processor: 1 ms at 168 MHz. They take
-/// five cycles of the oscillator (RM0090 section 21.4.4), 0.3 ms at the slow end.
-const UPDATE_CYCLES: u32 = 168_000;
+/// Longest wait for new values to arrive in the watchdog's clock domain, cycles of the processor: 10 ms at 168 MHz. They take
+/// five cycles of the oscillator (RM0090 section 21.4.4), 0.3 ms at the slow end, if that means the oscillator itself; drivers
+/// elsewhere allow for six cycles after the prescaler, 5.6 ms with sixteen.
+const UPDATE_CYCLES: u32 = 1_680_000;
 
 /// Who must check in.
 #[derive(Clone, Copy)]

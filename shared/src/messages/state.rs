@@ -193,9 +193,15 @@ impl ArmingBlock {
     pub const STORING: Self = Self(1 << 17);
     /// Down after a recovery, not disarmed.
     pub const LANDED: Self = Self(1 << 18);
+    /// The vehicle file was damaged in flash and not written anew: an older one may be in force.
+    pub const DAMAGED_VEHICLE: Self = Self(1 << 19);
+    /// So were the settings, the kill switch's channel among them.
+    pub const DAMAGED_SETTINGS: Self = Self(1 << 20);
+    /// So was the pairing key: anybody may be listened to.
+    pub const DAMAGED_PAIRING: Self = Self(1 << 21);
 
     /// Each bit with the sentence that says what to do.
-    pub const REASONS: [(Self, &'static str); 19] = [
+    pub const REASONS: [(Self, &'static str); 22] = [
         (Self::NO_GYRO, "no gyro on this board"),
         (Self::NO_MOTORS, "no motor outputs on this board"),
         (Self::GYRO_SILENT, "the gyro delivers no samples"),
@@ -228,6 +234,18 @@ impl ArmingBlock {
         ),
         (Self::STORING, "flash is being written: wait a second"),
         (Self::LANDED, "down after a recovery: disarm first"),
+        (
+            Self::DAMAGED_VEHICLE,
+            "the vehicle file was damaged in flash: write it again, `mintime vehicle PORT params --file`",
+        ),
+        (
+            Self::DAMAGED_SETTINGS,
+            "the settings were damaged in flash: look at each and write them again, `mintime vehicle PORT params`",
+        ),
+        (
+            Self::DAMAGED_PAIRING,
+            "the pairing key was damaged in flash: pair anew with `mintime vehicle PORT pair`, or without a key `pair --remove`",
+        ),
     ];
 
     /// No reason.
