@@ -18,7 +18,8 @@ pub(crate) struct Iwdg {
     last_reload: (u64, u32),
 }
 
-/// Cycles of the slow oscillator that a new prescaler or reload value takes to arrive.
+/// Cycles that a new prescaler or reload value takes to arrive: of the oscillator by the words of RM0090 section 21.4.4, behind the
+/// divider by what drivers allow for. The longer counts here.
 const SYNCHRONISE: u64 = 5;
 
 impl Iwdg {
@@ -76,7 +77,8 @@ impl Iwdg {
             }
             0x04 | 0x08 => {
                 let (prescaler, reload, _) = self.pending.unwrap_or((self.prescaler, self.reload, 0));
-                let arrives = ns + SYNCHRONISE * 1_000_000_000 / u64::from(self.lsi_hz.max(1));
+                let cycles = SYNCHRONISE * (4 << self.prescaler.min(6));
+                let arrives = ns + cycles * 1_000_000_000 / u64::from(self.lsi_hz.max(1));
                 self.pending = Some(if offset == 4 {
                     (value & 7, reload, arrives)
                 } else {
