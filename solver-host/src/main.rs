@@ -18,5 +18,16 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
+    outlive_file_limits();
     Arguments::parse().command.run()
+}
+
+/// A file that may not grow is told in a sentence, as a full disk is. The signal's default would end the program, in flight perhaps.
+fn outlive_file_limits() {
+    #[cfg(unix)]
+    {
+        let seen = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(false));
+        // Where that is not allowed the default stays.
+        let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, seen);
+    }
 }

@@ -125,6 +125,9 @@ fn what_cannot_be_done_is_refused_and_the_log_stays() {
     let here = folder.path();
     let log = "t_s,x_m,z_m,theta_rad\n0,0,0,0\n0.01,0,0,0\n";
     fs::write(here.join("log.csv"), log).expect("written");
+    fs::create_dir(here.join("detour")).expect("a folder");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("log.csv", here.join("link.csv")).expect("a link");
     for (arguments, part) in [
         (vec!["benchmark"], "LOG"),
         (vec!["benchmark", "none.csv"], "none.csv cannot be read"),
@@ -132,6 +135,9 @@ fn what_cannot_be_done_is_refused_and_the_log_stays() {
         (vec!["benchmark", "log.csv", "--from", "0,0", "--to", "1,1"], "never within tolerance of the end"),
         (vec!["benchmark", "log.csv", "--from", "0,0"], "--to"),
         (vec!["benchmark", "log.csv", "-o", "log.csv"], "replace the log"),
+        (vec!["benchmark", "log.csv", "-o", "./detour/../log.csv"], "replace the log"),
+        #[cfg(unix)]
+        (vec!["benchmark", "log.csv", "-o", "link.csv"], "replace the log"),
         (vec!["benchmark", "log.csv", "-o", "x.pdf"], ".svg"),
         (vec!["benchmark", "log.csv", "--between", "5,6"], "--between"),
         (vec!["benchmark", "log.csv", "--to", "1,2,3,4", "--from", "0,0"], "2, 3 or 5 numbers"),

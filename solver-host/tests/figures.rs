@@ -398,3 +398,26 @@ fn the_same_figure_twice_is_the_same_bytes() {
         assert!(again.tables().eq(drawn(figure).tables()), "{}", figure.name());
     }
 }
+
+/// What the comparisons above look at is what the command leaves in its folder.
+#[test]
+fn the_command_writes_all_of_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_mintime"));
+    let output =
+        command.args(["figures", "-o", "figures"]).current_dir(folder.path()).output().expect("it starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |name: String| std::fs::read(folder.path().join("figures").join(&name)).expect(&name);
+    let mut files = 0;
+    for drawn in ALL.iter() {
+        let name = drawn.figure().name();
+        assert!(read(format!("{name}.svg")) == drawn.svg().as_bytes(), "{name}");
+        assert!(read(format!("{name}.png")).starts_with(b"\x89PNG"), "{name}");
+        files += 2;
+        for (table, csv) in drawn.tables() {
+            assert!(read(format!("{table}.csv")) == csv.as_bytes(), "{table}");
+            files += 1;
+        }
+    }
+    assert_eq!(std::fs::read_dir(folder.path().join("figures")).expect("a folder").count(), files);
+}

@@ -279,11 +279,18 @@ pub(super) fn firmware(
     }
 }
 
+/// A path without links and detours; of a file that does not exist yet, that of its folder.
+fn true_path(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let in_folder = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
+}
+
 /// Refuses to write two outputs to one file.
 pub(super) fn distinct<const N: usize>(paths: [Option<&PathBuf>; N]) -> Result<(), String> {
-    let absolute: Vec<_> = paths.into_iter().flatten().filter_map(|p| std::path::absolute(p).ok()).collect();
-    for (i, path) in absolute.iter().enumerate() {
-        if absolute[..i].contains(path) {
+    let true_paths: Vec<_> = paths.into_iter().flatten().map(|path| true_path(path)).collect();
+    for (i, path) in true_paths.iter().enumerate() {
+        if true_paths[..i].contains(path) {
             return Err(format!("{} is named for two outputs: give each a file of its own", path.display()));
         }
     }

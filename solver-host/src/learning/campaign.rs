@@ -99,7 +99,7 @@ pub enum StopReason {
     },
     /// No progress.
     #[error(
-        "it does not converge: {STALLED_FLIGHTS} flights brought nothing better than {best:.1} tolerances; plan with lower limits, \
+        "it does not converge: {STALLED_FLIGHTS} flights brought nothing a tenth better, {best:.1} tolerances were the best; plan with lower limits, \
          and see that battery, propellers and cameras are as they were when it was identified"
     )]
     NotConverging {
@@ -111,8 +111,8 @@ pub enum StopReason {
     Correction(#[from] CorrectionError),
     /// The correction makes a table that no vehicle takes.
     #[error(
-        "the next correction would make a table that the vehicle refuses: {0}; the best table is kept: go on from there, or plan \
-         with lower limits"
+        "the next correction would make a table that the vehicle refuses: {0}; the best table is kept. Another maneuver may have more \
+         freedom"
     )]
     Table(#[from] TableError),
     /// Flights fail.

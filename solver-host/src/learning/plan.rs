@@ -19,6 +19,8 @@ pub const THRUST_SHARE: f64 = 0.9;
 const REHEARSAL_STEPS: u32 = 60;
 /// A rehearsed end is this near, in tolerances.
 const REHEARSED: f64 = 0.01;
+/// One that no step brings nearer is flown all the same up to here, in tolerances: a first flight ends farther away anyway.
+const NEAR_ENOUGH: f64 = 3.0;
 
 impl Response {
     /// A vehicle that was identified. Its rate loop follows as its reference model does; what the rotors lag behind the model
@@ -242,6 +244,7 @@ fn rehearse(table: &ManeuverTable, response: &Response) -> Result<ManeuverTable,
     };
     let mut parameters = Parameters::of(table);
     let (mut error, mut jacobian) = miss(&parameters);
+    let mut best = (error.in_tolerances(), parameters.into_table(table)?);
     for _ in 0..REHEARSAL_STEPS {
         if error.in_tolerances() <= REHEARSED {
             break;
@@ -259,10 +262,15 @@ fn rehearse(table: &ManeuverTable, response: &Response) -> Result<ManeuverTable,
             part *= 0.5;
         };
         (parameters, error, jacobian) = (better, found, slope);
+        if let Ok(rehearsed) = parameters.into_table(table)
+            && error.in_tolerances() < best.0
+        {
+            best = (error.in_tolerances(), rehearsed);
+        }
     }
-    let left = error.in_tolerances();
-    if left > REHEARSED {
+    let (left, rehearsed) = best;
+    if left > NEAR_ENOUGH {
         return Err(PlanError::Rehearsal { left });
     }
-    Ok(parameters.into_table(table)?)
+    Ok(rehearsed)
 }

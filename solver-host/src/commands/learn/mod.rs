@@ -131,7 +131,9 @@ impl Learn {
             campaign.last.as_ref().map(|last| self.write(&learned.history, last, &mut progress, &page));
         let page = matches!(written, Some(Ok(()))).then_some(page.as_path());
         if self.json {
-            print(&format!("{:#}", words::value(&learned, &campaign.folder, page)));
+            let kept =
+                campaign.kept.as_ref().map(|()| campaign.folder.as_path()).map_err(ToString::to_string);
+            print(&format!("{:#}", words::value(&learned, kept, page)));
         } else {
             print(&words::text(&learned, campaign.kept.is_ok().then_some(campaign.folder.as_path()), page));
         }

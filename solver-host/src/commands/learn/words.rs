@@ -5,11 +5,15 @@ use std::path::Path;
 use mintime::learning::{FlightEntry, HISTORY_FILE, History, Learned, StateError, TABLE_FILE};
 use serde_json::{Value, json};
 
-/// The JSON answer: the history, and where it is. Field names are part of the interface.
-pub(super) fn value(learned: &Learned, folder: &Path, page: Option<&Path>) -> Value {
+/// The JSON answer: the history, and where it is; `None` and why where it could not be kept. Field names are part of the interface.
+pub(super) fn value(learned: &Learned, folder: Result<&Path, String>, page: Option<&Path>) -> Value {
     let mut value = json!(learned.history);
-    value["history"] = json!(folder.join(HISTORY_FILE));
-    value["table"] = json!(folder.join(TABLE_FILE));
+    let kept = folder.as_ref().ok();
+    value["history"] = json!(kept.map(|folder| folder.join(HISTORY_FILE)));
+    value["table"] = json!(kept.map(|folder| folder.join(TABLE_FILE)));
+    if let Err(error) = folder {
+        value["error"] = json!(error);
+    }
     value["page"] = json!(page);
     value
 }
@@ -75,8 +79,9 @@ fn flight(entry: &FlightEntry) -> String {
             error.in_tolerances()
         )
     };
-    let across =
-        entry.across.map_or_else(String::new, |a| format!(", {:.3} m out of the plane", a.y_m.abs()));
+    let across = entry.across.map_or_else(String::new, |a| {
+        format!(", {:.3} m, {:.3} m/s out of the plane", a.y_m.abs(), a.vy_mps.abs())
+    });
     let end = match (&entry.final_error, &entry.reason) {
         (Some(error), _) => format!("{}{across}", seen(error)),
         (None, reason) => format!("{}: {}", entry.outcome, reason.as_deref().unwrap_or("for no reason")),
