@@ -101,7 +101,12 @@ fn a_record_asked_for_twice_is_one() {
     assert_eq!(bench.ask(Request::Record), Reply::Done);
     bench.run(50);
     assert_eq!(bench.ask(Request::Record), Reply::Done);
-    assert!(bench.telemetry().recorded > 50);
+    let recorded = bench.telemetry().recorded;
+    assert!(recorded > 50);
+    disarm(&mut bench);
+    let total = bench.record().len() as u32;
+    assert!(total >= recorded);
+    assert_eq!(bench.refusal(Request::ReadRecord { first: total }), Refusal::NoRecord);
 }
 
 /// Of the very moment when the calibration ends a host that asks to arm in every tick learns nothing else.
