@@ -427,6 +427,36 @@ fn the_heading_makes_up_for_an_askew_gyro_where_the_way_is_long_enough() {
     assert!((f64::from(table.heading_rad) - 0.3).abs() < 0.1 + 1e-6);
 }
 
+/// Their arc is at its rate limit after the rehearsal already: it is held there.
+#[test]
+fn verticals_without_a_turn_are_learned() {
+    for (dz, seed) in [(2.0, 1), (-2.0, 2), (1.5, 1)] {
+        let mut vehicle = SimulatedVehicle {
+            choice: VehicleChoice::Hosted,
+            plant: airframe(1.0),
+            seed,
+            room: None,
+            response: Response::IDEAL,
+            heading_rad: 0.0,
+        };
+        let found = vehicle.identify(&mut Unseen).expect("enough data");
+        let plan = plan(&to(0.0, dz), &VehicleConfig::REFERENCE, &found).expect("a plan");
+        vehicle.response = plan.response;
+        let mut unseen = Unseen;
+        let mut flyer = SimulatedFlyer { vehicle: &vehicle, witness: &mut unseen, last: None };
+        let history = History::of("vertical", "hosted", Some(seed));
+        let budget = Budget { flights: 12, repeats: 2 };
+        let Learned { history, stop, .. } =
+            learn(&plan, history, budget, &mut flyer, &mut Watching::default());
+        assert_eq!(stop, StopReason::Converged, "{dz}");
+        assert!(history.learned_duration_s <= 1.2 * history.optimum_duration_s, "{dz}: {history:?}");
+        for repeat in &history.repeats {
+            let truth = repeat.true_final_error.expect("flown to its end");
+            assert!(truth.in_tolerances() <= 1.0, "{dz}: {truth:?}");
+        }
+    }
+}
+
 #[test]
 fn two_vehicles_learn_the_four_maneuvers() {
     let plan = StatisticsPlan {

@@ -3,7 +3,7 @@
 use mintime_shared::table::{ManeuverTable, TableError};
 use nalgebra::DMatrix;
 
-use super::correction::{CorrectionError, correct};
+use super::correction::{CorrectionError, Limit, correct_within};
 use super::history::{Across, FlightEntry, History, POSITION_TOLERANCE_M, StateError, hexadecimal};
 use super::model::Response;
 use super::observation::{Observed, effect_of_start};
@@ -330,18 +330,21 @@ impl Learner<'_> {
             _ => return Ok(()),
         };
         let rate_max = f64::from(self.plan.table.limits.rate_max_radps);
-        let correction = correct(&self.jacobian, &error, &self.parameters, rate_max)?;
-        let mut gain = if error.in_tolerances() <= 1.0 { GAIN_WITHIN } else { self.trust };
-        // As far as a vehicle takes the table.
-        let moved = |gain: f64| self.parameters.moved(&(&correction.change * gain));
-        for _ in 0..HALVINGS {
-            if moved(gain).into_table(&self.plan.table).is_ok() {
-                break;
-            }
-            gain *= 0.5;
-        }
+        let gain = if error.in_tolerances() <= 1.0 { GAIN_WITHIN } else { self.trust };
+        let step = |limit: Option<&Limit>| {
+            let correction = correct_within(&self.jacobian, &error, &self.parameters, rate_max, limit)?;
+            // As far as a vehicle takes the table.
+            let moved =
+                |n: u32| self.parameters.moved(&(&correction.change * (gain * 0.5_f64.powi(n as i32))));
+            let taken = (0..=HALVINGS).map(moved).find(|moved| moved.into_table(&self.plan.table).is_ok());
+            Ok::<_, CorrectionError>((taken, moved(HALVINGS)))
+        };
+        let (taken, shortest) = step(None)?;
+        // Arcs that would turn too fast are held at their limit, and the other numbers do without.
+        let held = || step(Some(&Limit::of_arcs(&self.parameters, &self.plan.table)?)).ok()?.0;
+        let next = taken.or_else(held).unwrap_or(shortest);
         let turn = if across_m.abs() <= POSITION_TOLERANCE_M { GAIN_WITHIN } else { 1.0 };
-        self.parameters = moved(gain).turned(turn * across_m, self.along_m(), self.plan.heading_rad);
+        self.parameters = next.turned(turn * across_m, self.along_m(), self.plan.heading_rad);
         Ok(())
     }
 

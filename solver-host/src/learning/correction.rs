@@ -5,6 +5,7 @@
 //! within the trust region |yᵢ| ≤ ρ, and otherwise as large as brings it there (Levenberg). A parameter that would leave its
 //! bounds is put on its bound, and the others do without it.
 
+use mintime_shared::table::ManeuverTable;
 use nalgebra::{DMatrix, DVector};
 
 use super::history::{ANGLE_TOLERANCE_RAD, POSITION_TOLERANCE_M, StateError, VELOCITY_TOLERANCE_MPS};
@@ -14,6 +15,8 @@ use super::parameters::Parameters;
 const STATES: usize = 5;
 /// Singular values below this part of the largest count as zero: such a direction would need thousands of times the change.
 const RANK_TOLERANCE: f64 = 1.0e-3;
+/// How far an arc that is held at its rate limit stays below it, as a part of it.
+const ARC_MARGIN: f64 = 2.0e-3;
 /// Largest change of a parameter in one correction, in units of its scale.
 pub const TRUST: f64 = 2.0;
 
@@ -70,6 +73,33 @@ pub fn weights() -> DVector<f64> {
     DVector::from_column_slice(&[p, v, p, v, a])
 }
 
+/// Something that a change may not move further than this, to first order: slope · change = room.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Limit {
+    slope: DVector<f64>,
+    room: f64,
+}
+
+impl Limit {
+    /// The rate at which the arcs turn, to stay within a table's limit.
+    pub(super) fn of_arcs(parameters: &Parameters, table: &ManeuverTable) -> Option<Self> {
+        let rate = |p: &Parameters| p.arc_rate_radps(table);
+        let now = rate(parameters)?;
+        let scales = parameters.scales();
+        let mut slope = DVector::zeros(parameters.count());
+        for j in 0..slope.len() {
+            let step = 1.0e-4 * scales[j];
+            let mut change = DVector::zeros(slope.len());
+            change[j] = step;
+            slope[j] =
+                (rate(&parameters.moved(&change))? - rate(&parameters.moved(&-change))?) / (2.0 * step);
+        }
+        // A breath inside: the rate is no straight line.
+        let room = f64::from(table.limits.rate_max_radps) * (1.0 - ARC_MARGIN) - now;
+        (slope.norm() > 0.0).then_some(Self { slope, room })
+    }
+}
+
 /// The change of the parameters that takes an error away.
 ///
 /// # Errors
@@ -80,6 +110,20 @@ pub fn correct(
     parameters: &Parameters,
     rate_max_radps: f64,
 ) -> Result<Correction, CorrectionError> {
+    correct_within(jacobian, error, parameters, rate_max_radps, None)
+}
+
+/// The same with something that may move so far and no further, as one more equation.
+///
+/// # Errors
+/// [`CorrectionError`] where there is none.
+pub(super) fn correct_within(
+    jacobian: &DMatrix<f64>,
+    error: &StateError,
+    parameters: &Parameters,
+    rate_max_radps: f64,
+    limit: Option<&Limit>,
+) -> Result<Correction, CorrectionError> {
     let count = parameters.count();
     if count < STATES {
         return Err(CorrectionError::TooFew { parameters: count });
@@ -87,8 +131,16 @@ pub fn correct(
     let weights = weights();
     let scales = parameters.scales();
     let low = parameters.lower_bounds(rate_max_radps);
-    let scaled = DMatrix::from_fn(STATES, count, |i, j| weights[i] * jacobian[(i, j)] * scales[j]);
+    let mut scaled = DMatrix::from_fn(STATES, count, |i, j| weights[i] * jacobian[(i, j)] * scales[j]);
     let mut wanted = -DVector::from_column_slice(&error.to_array()).component_mul(&weights);
+    if let Some(limit) = limit {
+        let row = limit.slope.component_mul(&scales);
+        // As heavy as the heaviest of the others.
+        let weight = scaled.norm() / row.norm();
+        scaled = scaled.insert_row(STATES, 0.0);
+        scaled.row_mut(STATES).copy_from(&(row * weight).transpose());
+        wanted = wanted.push(limit.room * weight);
+    }
     if !scaled.iter().chain(wanted.iter()).all(|v| v.is_finite()) {
         return Err(CorrectionError::NotFinite);
     }

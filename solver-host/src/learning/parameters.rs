@@ -4,7 +4,7 @@
 //! The width is learned as its logarithm, so that it keeps its sign and never reaches zero. Beside them stands the heading, which is
 //! learned by itself: a gyro that sits askew turns the whole plane.
 
-use mintime_shared::model::Segment;
+use mintime_shared::model::{RateMode, Segment};
 use mintime_shared::table::{ArcProfile, Kind, MAX_SEGMENTS, ManeuverTable, TableError, TableHeader};
 use nalgebra::DVector;
 
@@ -77,6 +77,23 @@ impl Parameters {
         let narrowest = |width_s: f64| ((1.0 + RATE_MARGIN) / (rate_max_radps * width_s.abs())).ln();
         let arc = self.arc.iter().flat_map(|(width_s, _)| [narrowest(*width_s).min(0.0), f64::NEG_INFINITY]);
         DVector::from_vec(durations.chain(arc).collect())
+    }
+
+    /// The fastest that the arcs turn, rad/s; `None` without arcs. A table may not exceed its rate limit there.
+    pub(super) fn arc_rate_radps(&self, of: &ManeuverTable) -> Option<f64> {
+        let (width_s, peak_s) = self.arc?;
+        let rate = |at_s: f64| 1.0 / (width_s.abs() * (1.0 + ((at_s - peak_s) / width_s).powi(2)));
+        let mut begin_s = 0.0;
+        let mut fastest = None;
+        for (segment, duration_s) in of.segments().zip(&self.durations_s) {
+            let end_s = begin_s + duration_s;
+            if segment.inputs.rate == RateMode::Singular {
+                let nearest_s = peak_s.clamp(begin_s, end_s.max(begin_s));
+                fastest = Some(rate(nearest_s).max(fastest.unwrap_or(0.0)));
+            }
+            begin_s = end_s;
+        }
+        fastest
     }
 
     /// The parameters after a change of each.
