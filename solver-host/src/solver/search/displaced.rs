@@ -11,6 +11,8 @@ use super::{Effort, Found, MAX_WINDINGS, SETTLED, Search};
 
 /// T over what bounds it beyond which a winding without any maneuver is suspect.
 const FAR: f64 = 2.0;
+/// What a stronger or weaker vehicle has left beyond hover, F_max − g, over what this one has.
+const STRENGTHS: [f64; 8] = [1.5, 2.5, 0.6, 0.3, 4.0, 0.12, 8.0, 16.0];
 /// T of a displaced problem over the best T of the problem itself beyond which its maneuver is of no use.
 const FURTHEST: f64 = 1.4;
 
@@ -56,6 +58,32 @@ impl Search<'_> {
                 }
             }
         }
+    }
+
+    /// Where all that is known is far slower than what bounds it and paths died, solves the problem for stronger and for
+    /// weaker vehicles, and carries the maneuvers over along F_max: between a strong vehicle, which flies an arc between
+    /// two turns, and a weak one, which only turns, there are limits at which no start leads to the fastest maneuver.
+    pub(super) fn other_strengths(&mut self) {
+        let spare = self.problem.u_max - 1.0;
+        if spare <= 0.0 || (self.lost.is_empty() && !self.doubtful) {
+            return;
+        }
+        for turns in self.windings() {
+            for factor in STRENGTHS {
+                if self.was_cancelled || !self.slow(turns) {
+                    break;
+                }
+                let u_max = 1.0 + factor * spare;
+                if u_max > self.problem.u_min {
+                    self.detour_by(&Problem { u_max, ..self.problem }, turns);
+                }
+            }
+        }
+    }
+
+    /// This winding could still win, and everything known is far from what bounds it.
+    fn slow(&self, turns: i32) -> bool {
+        self.best() > FAR * self.wound(turns).turn().abs().max(self.lower_bound())
     }
 
     /// A path of this winding has died that could have won, or nothing of it is known though it should.

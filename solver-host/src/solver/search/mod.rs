@@ -162,6 +162,9 @@ impl<'a> Search<'a> {
             self.enlarge();
         }
         if self.effort.insist && !self.was_cancelled {
+            self.other_strengths();
+        }
+        if self.effort.insist && !self.was_cancelled {
             self.detour();
         }
         if self.effort.insist && !self.effort.everything {
