@@ -1,5 +1,5 @@
 //! One flight as the tests of the benchmark read it, as CSV and as MCAP: a fastest maneuver between two hovers.
-#![allow(dead_code)] // Each test uses a part of it.
+#![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::fmt::Write as _;
 use std::fs;
