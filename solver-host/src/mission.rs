@@ -318,7 +318,9 @@ pub fn prepare_for(
         if ![Some(room.x_m), room.y_m, Some(room.z_m)].into_iter().flatten().all(holds_the_start) {
             return Err(MissionError::EmptyRoom);
         }
+        // Where it is to go, and where its own heading leads: what a history says of a learned table may be wrong.
         extent.check(room, heading_rad)?;
+        extent.check(room, f64::from(table.heading_rad))?;
     }
     Ok(Prepared { bytes: buffer[..length].to_vec(), table, solution, extent, heading_rad })
 }

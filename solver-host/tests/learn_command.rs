@@ -154,3 +154,23 @@ fn what_was_kept_makes_room_for_something_new_only() {
     assert_eq!(read(folder.path(), "kept/best-1.table"), b"of an earlier day");
     assert!(read(folder.path(), "kept/best.table").len() > 50);
 }
+
+/// The plane that a history names is believed as far as a campaign turns one, no further.
+#[test]
+fn a_learned_table_flies_in_the_plane_of_a_credible_history() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let learn = ["learn", "--to", "3,0", "--vehicle", "hosted", "--repeats", "0", "--output", "kept"];
+    assert!(mintime(folder.path(), &learn).status.success());
+    let heading_rad = |told: f64| {
+        let path = folder.path().join("kept/history.json");
+        let mut history: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(&path).expect("a history")).expect("JSON");
+        history["heading_rad"] = told.into();
+        std::fs::write(&path, history.to_string()).expect("writable");
+        let fly = ["fly", "--table", "kept/best.table", "--vehicle", "hosted", "--json"];
+        json(&mintime(folder.path(), &fly))["maneuver"]["heading_rad"].as_f64().expect("a number")
+    };
+    assert_eq!(heading_rad(0.0), 0.0);
+    let own = heading_rad(2.0);
+    assert!(own != 2.0 && own != 0.0 && own.abs() < 0.1, "{own}");
+}

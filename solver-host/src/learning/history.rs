@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use serde::{Deserialize, Serialize};
 
+use super::parameters::HEADING_MAX_RAD;
 use crate::flight_log::{OutputError, write_whole};
 
 /// Name of the history in its folder.
@@ -236,7 +237,10 @@ impl History {
     pub fn beside(path: &Path, table: &ManeuverTable) -> Option<Self> {
         let bytes = hexadecimal(table);
         let history = Self::load(path.parent().unwrap_or(Path::new(""))).ok()?;
-        history.flights.iter().any(|flight| flight.table == bytes).then_some(history)
+        let off_rad = history.heading_rad - f64::from(table.heading_rad);
+        // No campaign has turned a table further.
+        let credible = off_rad.abs() <= HEADING_MAX_RAD + 1.0e-6;
+        (credible && history.flights.iter().any(|flight| flight.table == bytes)).then_some(history)
     }
 }
 
