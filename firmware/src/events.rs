@@ -1,7 +1,7 @@
 //! The event log: the last [`EVENTS`] things that happened, numbered from 1. The first is that the vehicle was started.
 
 use heapless::Deque;
-use mintime_shared::messages::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening};
+use mintime_shared::messages::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening, milliseconds};
 
 /// The ring.
 #[derive(Debug, Default)]
@@ -29,7 +29,6 @@ impl EventLog {
         if self.ring.is_full() {
             self.ring.pop_front();
         }
-        // 49 days, then it starts again.
         let _ = self.ring.push_back(Event { time_ms: milliseconds(now_us), what });
         self.newest = self.newest.saturating_add(1);
     }
@@ -48,32 +47,5 @@ impl EventLog {
         let skip = first.saturating_sub(oldest) as usize;
         let events = self.ring.iter().skip(skip).take(EVENTS_PER_CHUNK).copied().collect();
         EventChunk { first, newest: self.newest, events }
-    }
-}
-
-/// The lowest 32 bits of a time in ms. By digits of 16 bits, because the vehicle divides 64 bits by a routine of a kilobyte.
-fn milliseconds(time_us: u64) -> u32 {
-    [48, 32, 16, 0]
-        .iter()
-        .fold((0_u32, 0_u32), |(quotient, rest), digit| {
-            let part = (rest << 16) | u32::from((time_us >> digit) as u16);
-            ((quotient << 16) | (part / 1000), part % 1000)
-        })
-        .0
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn milliseconds_are_those_of_the_division() {
-        let mut time_us = 1_u64;
-        for step in 0..10_000_u64 {
-            time_us = time_us.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            for time_us in [time_us >> (step % 64), step, u64::MAX - step, step << 32] {
-                assert_eq!(milliseconds(time_us), (time_us / 1000) as u32, "{time_us}");
-            }
-        }
     }
 }

@@ -118,6 +118,8 @@ pub struct FlightLogic<M> {
     pub(crate) store: StoreStatus,
     pub(crate) board: Option<BoardTelemetry>,
     pub(crate) link_errors: u32,
+    /// Counter of the last seal that the link took.
+    pub(crate) last_counter: u32,
     // What it decides.
     pub(crate) supervisor: Supervisor,
     pub(crate) purpose: Purpose,
@@ -212,6 +214,7 @@ impl<M: RecordMemory> FlightLogic<M> {
             store: StoreStatus { present: false, busy: false, finished: 0, failed: false },
             board: None,
             link_errors: 0,
+            last_counter: 0,
             supervisor: Supervisor::new(),
             purpose: Purpose::Flight,
             on_bench: false,
@@ -267,9 +270,10 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.supervisor.state()
     }
 
-    /// Says how many received frames were not messages, for telemetry.
-    pub fn set_link_errors(&mut self, count: u32) {
-        self.link_errors = count;
+    /// Says how many received frames were not messages, and the counter of the last seal taken: for who asks.
+    pub fn set_link_status(&mut self, errors: u32, last_counter: u32) {
+        self.link_errors = errors;
+        self.last_counter = last_counter;
     }
 
     /// Says what this start's session is called; before anything is reported.

@@ -54,6 +54,11 @@ impl Link {
         self.session
     }
 
+    /// Counter of the last seal taken in this session; 0 where there was none.
+    pub fn last_counter(&self) -> u32 {
+        self.last_counter
+    }
+
     /// Received frames that were not messages, or found no room.
     pub fn errors(&self) -> u32 {
         self.errors

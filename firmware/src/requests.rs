@@ -3,8 +3,9 @@
 use heapless::Vec;
 use mintime_shared::messages::{
     ArmingBlock, FlightState, Happening, Identity, MOTOR_TEST_MS_MAX, MOTOR_TEST_THROTTLE_MAX, Message,
-    PROTOCOL_VERSION, Purpose, Refusal, Reply, Request, Setpoint,
+    PROTOCOL_VERSION, Purpose, Refusal, Reply, Request, Setpoint, Uplink,
 };
+use mintime_shared::seal;
 use mintime_shared::table::SCHEMA_HASH;
 
 use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_US, TELEMETRY_RANGE_MS};
@@ -38,11 +39,17 @@ impl<M: RecordMemory> FlightLogic<M> {
         let mut trigger = None;
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
-                // Anybody may ask a paired vehicle who it is: that does not say that its host is there.
-                if self.pairing.is_none() || !matches!(uplink.request, Request::Identify) {
+                let recent = uplink.is_recent(now_us);
+                // Anybody may ask a paired vehicle who it is: that does not say that its host is there. Nor does what a bridge
+                // has held back.
+                if recent && (self.pairing.is_none() || !matches!(uplink.request, Request::Identify)) {
                     self.heard_us = Some(now_us);
                 }
-                let verdict = self.take(uplink.number, &uplink.request, now_us, conditions);
+                let verdict = if !recent && self.would_turn_motors(uplink, now_us) {
+                    late(&uplink.request)
+                } else {
+                    self.take(uplink.number, &uplink.request, now_us, conditions)
+                };
                 // One maneuver a tick: another trigger would be told that its own is flown.
                 if verdict == Verdict::After(FlightState::Maneuver)
                     && *trigger.get_or_insert(uplink.number) != uplink.number
@@ -104,6 +111,17 @@ impl<M: RecordMemory> FlightLogic<M> {
             if !matches!(refusal, Refusal::ArmingBlocked(_)) {
                 self.events.push(now_us, Happening::Refused(refusal));
             }
+        }
+    }
+
+    /// Whether a request may bring about that a motor turns, or turns otherwise. Not where it has been carried out before.
+    fn would_turn_motors(&self, uplink: &Uplink, now_us: u64) -> bool {
+        match uplink.request {
+            Request::Setpoint { .. } => true,
+            Request::Arm(_) => self.state() != FlightState::Armed,
+            Request::Trigger { .. } => !is_repeated(self.last_trigger, uplink.number, now_us),
+            Request::TestMotor { .. } => self.motor_test.is_none_or(|test| test.number != uplink.number),
+            _ => false,
         }
     }
 
@@ -436,10 +454,24 @@ impl<M: RecordMemory> FlightLogic<M> {
             vehicle: if self.known { self.config.hash() } else { 0 },
             session: self.session,
             paired: self.pairing.is_some(),
+            last_counter: self.last_counter,
+            last_counter_mac: self
+                .pairing
+                .as_ref()
+                .map_or(0, |key| seal::vouch(key, self.session, self.last_counter)),
             thrust_min_mps2: limits.thrust_min_mps2,
             thrust_max_mps2: limits.thrust_max_mps2,
             rate_max_radps: limits.rate_max_radps,
         }
+    }
+}
+
+/// What becomes of what would turn motors and came too late. A setpoint is not answered: the newest of those held back will do.
+fn late(request: &Request) -> Verdict {
+    if matches!(request, Request::Setpoint { .. }) {
+        Verdict::Silent
+    } else {
+        Verdict::Now(Err(Refusal::Late))
     }
 }
 

@@ -63,7 +63,7 @@ impl<M: RecordMemory> Vehicle<M> {
     /// bounds: see [`crate::flight`].
     pub fn tick(&mut self, input: &TickInput) -> TickOutput {
         self.conclude();
-        self.logic.set_link_errors(self.link.errors());
+        self.logic.set_link_status(self.link.errors(), self.link.last_counter());
         self.logic.command(input, &self.inbox)
     }
 

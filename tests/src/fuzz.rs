@@ -9,8 +9,8 @@ use mintime_firmware::receiver::{
     CHANNELS, KillState, KillSwitch, KillSwitchConfig, LOST_US, crc8, pulse_us,
 };
 use mintime_firmware::vehicle::Vehicle;
-use mintime_shared::framing::{Decoder, encode};
-use mintime_shared::messages::{self, Downlink, FlightState, RECORD_BYTES};
+use mintime_shared::framing::{Decoder, encode, parse};
+use mintime_shared::messages::{self, Downlink, FlightState, RECORD_BYTES, Uplink};
 use mintime_shared::replay::{Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, SCHEMA_HASH, TableError};
 use serde::ser::SerializeTuple;
@@ -20,7 +20,7 @@ const LIFE_TICKS: u64 = 6000;
 /// Ticks until a vehicle that stands still can be armed.
 const CALIBRATION: u64 = 900;
 /// Ticks that a step of a life may last.
-const LASTS: [u64; 8] = [1, 2, 4, 8, 32, 80, 200, CALIBRATION];
+pub const LASTS: [u64; 8] = [1, 2, 4, 8, 32, 80, 200, CALIBRATION];
 
 /// Rates in the next three bytes, not the quiet of a vehicle that does what it is asked.
 pub const STEP_GYRO: u8 = 1 << 3;
@@ -55,15 +55,22 @@ fn triple(data: &mut &[u8], bound: f32) -> [f32; 3] {
 /// # Panics
 /// Where the vehicle breaks a promise.
 pub fn uplink(data: &[u8]) -> Vec<FlightState> {
-    live(data, <[u8]>::to_vec)
+    live(data, |bytes, _| bytes.to_vec())
 }
 
-/// The same, but what each step says is a frame's content: its checksum is right, whatever is in it.
+/// The same, but what each step says is a frame's content: its checksum is right, whatever is in it. Where it is a request whose
+/// age counts, the time in it is how old it is, ms: no fuzzer guesses what time it is.
 ///
 /// # Panics
 /// Where the vehicle breaks a promise.
 pub fn past_checksum(data: &[u8]) -> Vec<FlightState> {
-    live(data, framed)
+    live(data, |content, now_ms| match parse::<Uplink>(content) {
+        Ok(mut uplink) if uplink.request.is_timed() => {
+            uplink.heard_ms = now_ms.wrapping_sub(uplink.heard_ms);
+            encode(&uplink).expect("a request fits").as_bytes().to_vec()
+        }
+        _ => framed(content),
+    })
 }
 
 /// A sound frame around any content that is not too long for one.
@@ -79,7 +86,7 @@ fn framed(content: &[u8]) -> Vec<u8> {
     encode(&Raw(content)).expect("a length in one byte fits").as_bytes().to_vec()
 }
 
-fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) -> Vec<FlightState> {
+fn live(mut data: &[u8], line: fn(&[u8], u32) -> Vec<u8>) -> Vec<FlightState> {
     let mut states = Vec::new();
     let capabilities = Capabilities { gyro: true, motors: true };
     let mut vehicle =
@@ -94,7 +101,8 @@ fn live(mut data: &[u8], line: fn(&[u8]) -> Vec<u8>) -> Vec<FlightState> {
         let gyro = (step & STEP_GYRO != 0).then(|| triple(&mut data, 40.0));
         let accel = (step & STEP_ACCEL != 0).then(|| triple(&mut data, 200.0));
         let length = take(&mut data, 1).first().copied().unwrap_or_default();
-        vehicle.receive(&line(take(&mut data, usize::from(length))));
+        let now_ms = (ticks * u64::from(TICK_PERIOD_US) / 1000) as u32;
+        vehicle.receive(&line(take(&mut data, usize::from(length)), now_ms));
         let kill = match step & (STEP_STOP | STEP_LOST) {
             0 => messages::KillSwitch::Run,
             STEP_STOP => messages::KillSwitch::Stop,

@@ -179,6 +179,16 @@ impl World {
         }
     }
 
+    /// What a host heard last of the vehicle's clock: a moment ago, now and then longer ago, or of another start.
+    fn heard_ms(&mut self) -> u32 {
+        let age_ms = match self.draw.below(50) {
+            0 => self.draw.bits(),
+            1 => self.draw.below(700),
+            _ => self.draw.below(60),
+        };
+        ((self.now_us / 1000) as u32).wrapping_sub(age_ms as u32)
+    }
+
     fn input(&mut self, asked: &Setpoint) -> TickInput {
         let draw = &mut self.draw;
         let quiet = self.quiet > 0;
@@ -303,9 +313,13 @@ fn two_million_ticks_of_any_requests() {
                 let incident = logic.incident().map_or(0, |i: Incident| i.number);
                 let request = world.draw.request(&mut world.sequence, incident);
                 let version = if world.draw.one_in(200) { world.draw.bits() as u8 } else { PROTOCOL_VERSION };
-                arms |= matches!(request, Request::Arm(_)) && version == PROTOCOL_VERSION;
                 uplink_number = uplink_number.wrapping_add(1);
-                inbox.push_back(Uplink { version, number: uplink_number, request }).expect("three at most");
+                let heard_ms = world.heard_ms();
+                let uplink = Uplink { version, number: uplink_number, request, heard_ms };
+                arms |= matches!(uplink.request, Request::Arm(_))
+                    && version == PROTOCOL_VERSION
+                    && uplink.is_recent(input.now_us);
+                inbox.push_back(uplink).expect("three at most");
             }
             if world.draw.one_in(5000) {
                 logic.report(IncidentCause::Panic(world.draw.bits() as u32));
@@ -376,7 +390,9 @@ fn a_million_ticks_of_any_bytes() {
                     settings.bench_thrust_mps2 = settings.bench_thrust_mps2.max(wanted.bench_thrust_mps2);
                 }
                 let number = world.draw.bits() as u16;
-                let frame = encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits");
+                let heard_ms = world.heard_ms();
+                let uplink = Uplink { version: PROTOCOL_VERSION, number, request, heard_ms };
+                let frame = encode(&uplink).expect("it fits");
                 let mut bytes = frame.as_bytes().to_vec();
                 match world.draw.below(16) {
                     0 => {
@@ -457,7 +473,8 @@ fn a_life_repeats_itself() {
             let mut inbox = Inbox::new();
             let incident = logic.incident().map_or(0, |i| i.number);
             let request = world.draw.request(&mut world.sequence, incident);
-            inbox.push_back(Uplink { version: PROTOCOL_VERSION, number, request }).expect("room");
+            let heard_ms = world.heard_ms();
+            inbox.push_back(Uplink { version: PROTOCOL_VERSION, number, request, heard_ms }).expect("room");
             let out = logic.tick(&input, &mut inbox, &mut outbox);
             logic.telemeter(&mut outbox);
             asked = out.setpoint;

@@ -87,7 +87,7 @@ impl Board {
         let number = self.number;
         for _ in 0..60 {
             let mut frame = Frame::new();
-            let uplink = Uplink { version: PROTOCOL_VERSION, number, request: request.clone() };
+            let uplink = Uplink { version: PROTOCOL_VERSION, number, request: request.clone(), heard_ms: 0 };
             frame.fill(&uplink).expect("a frame");
             let now_ns = self.machine.peripherals.clock().ns(self.machine.time());
             self.machine.peripherals.link_send(now_ns, &[&[0], frame.as_bytes()].concat());

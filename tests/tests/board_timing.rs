@@ -37,7 +37,10 @@ fn image() -> &'static FirmwareImage {
 }
 
 fn frame(number: u16, request: Request) -> Vec<u8> {
-    encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits").as_bytes().to_vec()
+    encode(&Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 })
+        .expect("it fits")
+        .as_bytes()
+        .to_vec()
 }
 
 /// One latency: when it was seen, ns, and how long it was, ns.
@@ -84,7 +87,7 @@ impl Busy {
             4 => {
                 let bytes = heapless::Vec::from_slice(&[0x55; STAGE_CHUNK_BYTES]).expect("it fits");
                 let request = Request::Stage { total: 200, offset: 0, bytes };
-                let foreign = Uplink { version: PROTOCOL_VERSION ^ 1, number: FILLING, request };
+                let foreign = Uplink { version: PROTOCOL_VERSION ^ 1, number: FILLING, request, heard_ms: 0 };
                 encode(&foreign).expect("it fits").as_bytes().to_vec()
             }
             1 => self.noise(60, 7),

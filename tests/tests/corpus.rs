@@ -9,11 +9,12 @@ use mintime_shared::messages::{
     FlightState, MOTOR_TEST_THROTTLE_MAX, PROTOCOL_VERSION, Purpose, Request, STAGE_CHUNK_BYTES, Setpoint,
     Uplink,
 };
+use mintime_shared::replay::TICK_PERIOD_US;
 use mintime_shared::settings::Settings;
 use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable};
 use mintime_shared::vehicle::VehicleConfig;
 use mintime_tests::fuzz::{
-    STEP_ACCEL, STEP_GYRO, STEP_LOST, STEP_MISSING, STEP_STOP, past_checksum, receiver, table, uplink,
+    LASTS, STEP_ACCEL, STEP_GYRO, STEP_LOST, STEP_MISSING, STEP_STOP, past_checksum, receiver, table, uplink,
 };
 use mintime_tests::reference_cases;
 
@@ -72,6 +73,8 @@ struct Life {
     sequence: u16,
     number: u16,
     framed: bool,
+    /// Ticks so far.
+    ticks: u64,
 }
 
 /// How long a step lasts, in ticks: the place among `fuzz::LASTS`.
@@ -88,6 +91,7 @@ impl Life {
 
     fn step(mut self, step: u8, bytes: &[u8]) -> Self {
         self.bytes.push(step);
+        self.ticks += LASTS[usize::from(step & 7)];
         self.bytes.extend([0; 3].iter().filter(|_| step & STEP_GYRO != 0));
         self.bytes.extend([0; 3].iter().filter(|_| step & STEP_ACCEL != 0));
         self.bytes.push(u8::try_from(bytes.len()).expect("a step's length is a byte"));
@@ -95,9 +99,16 @@ impl Life {
         self
     }
 
+    /// The vehicle's clock when the next step begins.
+    fn now_ms(&self) -> u32 {
+        (self.ticks * u64::from(TICK_PERIOD_US) / 1000) as u32
+    }
+
     fn encoded(&mut self, request: Request) -> Vec<u8> {
         self.number += 1;
-        let uplink = Uplink { version: PROTOCOL_VERSION, number: self.number, request };
+        // A content's time is its age.
+        let heard_ms = if self.framed { self.now_ms() } else { 0 };
+        let uplink = Uplink { version: PROTOCOL_VERSION, number: self.number, request, heard_ms };
         if self.framed { encode(&uplink).expect("it fits").as_bytes().to_vec() } else { content(&uplink) }
     }
 
@@ -209,7 +220,9 @@ fn lives(framed: bool) -> Vec<Vec<u8>> {
     let maneuver = |link| Life::maneuver(framed, link);
     let mut paired = Life::ready(framed).ask(ONE, Request::Pair(Some([9; 16])));
     let request = Request::Arm(Purpose::Flight);
-    let content = content(&Uplink { version: PROTOCOL_VERSION, number: 50, request });
+    // What is sealed carries its true time.
+    let heard_ms = paired.now_ms();
+    let content = content(&Uplink { version: PROTOCOL_VERSION, number: 50, request, heard_ms });
     let sealed = [&content[..], &mintime_shared::seal::seal(&[9; 16], 1, 1, &content)].concat();
     if !framed {
         paired = paired.step(EIGHT, &sealed).step(EIGHT, &sealed);

@@ -524,7 +524,7 @@ fn bad_input_on_the_line_changes_nothing() {
     let table = hand.ask(Request::ReadTable);
     assert_eq!(table, Ok(Reply::Table(bytes_of(&table_of("horizontal_1")))));
 
-    let stop = Uplink { version: PROTOCOL_VERSION, number: 1, request: Request::EmergencyStop };
+    let stop = Uplink { version: PROTOCOL_VERSION, number: 1, request: Request::EmergencyStop, heard_ms: 0 };
     let frame = encode(&stop).expect("it fits").as_bytes().to_vec();
     // Every truncation of an emergency stop, closed by a zero: not one is taken for one.
     for length in 1..frame.len() - 1 {

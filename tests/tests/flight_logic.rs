@@ -391,7 +391,7 @@ fn another_protocol_version_is_refused_and_nothing_done() {
         let mut inbox = Inbox::new();
         let mut outbox = Outbox::new();
         for (number, request) in [Request::EmergencyStop, Request::Disarm].into_iter().enumerate() {
-            inbox.push_back(Uplink { version, number: number as u16, request }).expect("room");
+            inbox.push_back(Uplink { version, number: number as u16, request, heard_ms: 0 }).expect("room");
         }
         let imu = Some(bench.sample());
         let input =
@@ -490,7 +490,7 @@ fn an_emergency_stop_finds_room() {
     for place in 0..12 {
         let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 100]);
         let send = |vehicle: &mut Vehicle<Record>, request| {
-            let uplink = Uplink { version: PROTOCOL_VERSION, number: 1, request };
+            let uplink = Uplink { version: PROTOCOL_VERSION, number: 1, request, heard_ms: 0 };
             vehicle.receive(encode(&uplink).expect("it fits").as_bytes());
         };
         let mut now_us = 0;

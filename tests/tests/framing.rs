@@ -104,8 +104,12 @@ fn request() -> impl Strategy<Value = Request> {
 }
 
 prop_compose! {
-    fn uplink()(version in any::<u8>(), number in any::<u16>(), request in request()) -> Uplink {
-        Uplink { version, number, request }
+    fn uplink()(
+        version in any::<u8>(), number in any::<u16>(), request in request(), heard_ms in any::<u32>()
+    ) -> Uplink {
+        // Elsewhere it is not on the line.
+        let heard_ms = if request.is_timed() { heard_ms } else { 0 };
+        Uplink { version, number, request, heard_ms }
     }
 }
 
@@ -141,6 +145,7 @@ fn refusals() -> Vec<Refusal> {
         Refusal::NotSealed,
         Refusal::Calibration(CalibrationError::Implausible),
         Refusal::OtherPurpose,
+        Refusal::Late,
     ]
 }
 
@@ -205,6 +210,8 @@ fn reply() -> impl Strategy<Value = Reply> {
                 vehicle,
                 session: vehicle,
                 paired: table_schema.is_multiple_of(2),
+                last_counter: table_schema,
+                last_counter_mac: u64::from(vehicle) << 20,
                 thrust_min_mps2: rate_max_radps,
                 thrust_max_mps2,
                 rate_max_radps,
@@ -491,7 +498,8 @@ fn the_largest_messages_fit() {
     let mut largest = 0;
     let bytes = heapless::Vec::from_slice(&full(STAGE_CHUNK_BYTES)).expect("it fits");
     let request = Request::Stage { total: u16::MAX, offset: u16::MAX, bytes };
-    largest = largest.max(frame_of(&Uplink { version: 255, number: u16::MAX, request }).len());
+    largest =
+        largest.max(frame_of(&Uplink { version: 255, number: u16::MAX, request, heard_ms: u32::MAX }).len());
     for reply in [Reply::Status(telemetry), Reply::Table(table), Reply::Record(chunk)] {
         let message = Message::Reply { number: u16::MAX, reply };
         largest = largest.max(frame_of(&Downlink { version: 255, message }).len());
@@ -560,14 +568,16 @@ fn every_frame_error_is_reachable() {
 fn the_bytes_on_the_line_are_these() {
     let hex = |bytes: &[u8]| bytes.iter().map(|b| format!("{b:02x}")).collect::<String>();
     assert_eq!(PROTOCOL_VERSION, 4);
-    let up = |number, request| hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request }));
+    let up = |number, request| {
+        hex(&frame_of(&Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 1000 }))
+    };
     let setpoint = Setpoint { rates_radps: [1.0, -2.0, 0.5], thrust_mps2: 9.81 };
     assert_eq!(up(1, Request::Identify), "030401058f4053e100");
     assert_eq!(
         up(300, Request::Setpoint { sequence: 7, setpoint }),
-        "0604ac0216070103803f010102c001010a3fc3f51c41b451a88d00"
+        "0604ac0216070103803f010102c001010c3fc3f51c41e807ce79dfd500"
     );
-    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "0e04ad0217f8acd191011efd0eef00");
+    assert_eq!(up(301, Request::Trigger { checksum: 0x1234_5678 }), "1004ad0217f8acd19101e807c8a0575e00");
     let telemetry = Telemetry {
         time_us: 1_000_000,
         state: FlightState::Tracking,

@@ -52,7 +52,7 @@ impl Radio {
 }
 
 fn uplink(number: u16, request: Request) -> Uplink {
-    Uplink { version: PROTOCOL_VERSION, number, request }
+    Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 }
 }
 
 fn plain(number: u16, request: Request) -> Vec<u8> {

@@ -24,6 +24,8 @@ const DOCUMENT: &str = include_str!("../../docs/protocol.md");
 const KEY: PairingKey = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
 /// Its session and counter.
 const SESSION: u32 = 0x1122_3344;
+/// A second since power-up.
+const HEARD_MS: u32 = 1000;
 const COUNTER: u32 = 0x0102_0304;
 
 /// From a heading to the next of its rank or above.
@@ -64,12 +66,17 @@ fn frame(message: &impl Serialize) -> Vec<u8> {
 }
 
 fn up(number: u16, request: Request) -> Vec<u8> {
-    frame(&Uplink { version: PROTOCOL_VERSION, number, request })
+    frame(&Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: HEARD_MS })
+}
+
+/// Bytes of a request's longest frame.
+fn longest(request: Request) -> usize {
+    frame(&Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request, heard_ms: u32::MAX }).len()
 }
 
 fn sealed(number: u16, request: Request) -> Vec<u8> {
     let mut frame = Frame::new();
-    let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
+    let uplink = Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: HEARD_MS };
     frame.fill_sealed(&uplink, |content| seal(&KEY, SESSION, COUNTER, content)).expect("it fits");
     frame.as_bytes().to_vec()
 }
@@ -313,6 +320,7 @@ fn refusals() -> Vec<Refusal> {
         R::NotSealed,
         R::Calibration(CalibrationError::Turns),
         R::OtherPurpose,
+        R::Late,
     ]
 }
 
@@ -429,7 +437,7 @@ fn every_message_is_as_long_as_it_says() {
     };
     for (place, request) in requests.into_iter().enumerate() {
         assert_eq!(usize::from(number(&request)), place);
-        check(section("## Host to vehicle"), place, &name(&request), up(u16::MAX, request.clone()).len());
+        check(section("## Host to vehicle"), place, &name(&request), longest(request.clone()));
     }
 
     let event = Event {
@@ -444,6 +452,8 @@ fn every_message_is_as_long_as_it_says() {
             vehicle: u32::MAX,
             session: u32::MAX,
             paired: true,
+            last_counter: u32::MAX,
+            last_counter_mac: u64::MAX,
             thrust_min_mps2: f32::MAX,
             thrust_max_mps2: f32::MAX,
             rate_max_radps: f32::MAX,

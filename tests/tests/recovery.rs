@@ -53,7 +53,7 @@ impl Connection for Cut {
     fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError> {
         if let Some(settings) = self.settings.take() {
             let request = Request::WriteSettings(settings);
-            let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request };
+            let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request, heard_ms: 0 };
             self.vehicle.send(encode(&uplink).expect("it fits").as_bytes())?;
         }
         let now_ns = self.vehicle.now_ns();

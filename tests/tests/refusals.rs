@@ -13,8 +13,8 @@ use mintime_firmware::vehicle::Vehicle;
 use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
     ArmingBlock, CalibrationError, Downlink, FlightState, IncidentCause, KillSwitch, Message,
-    PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, Setpoint, TableName,
-    Uplink,
+    PROTOCOL_VERSION, Purpose, RECORD_BYTES, REQUEST_AGE_MS, Refusal, Reply, Request, STORED_TABLES,
+    Setpoint, TableName, Uplink,
 };
 use mintime_shared::settings::{Settings, SettingsError};
 use mintime_shared::table::TableError;
@@ -52,10 +52,11 @@ fn kind(refusal: &Refusal) -> usize {
         Refusal::NotSealed => 22,
         Refusal::Calibration(_) => 23,
         Refusal::OtherPurpose => 24,
+        Refusal::Late => 25,
     }
 }
 
-const KINDS: usize = 25;
+const KINDS: usize = 26;
 
 /// What a refusal must leave as it was.
 fn fingerprint(bench: &mut Bench) -> String {
@@ -277,6 +278,7 @@ fn cases() -> Vec<Case> {
         bench.stream = Some(HOVER);
         bench.run(60);
     }));
+    let later_trigger = trigger.clone();
     let mut turning = flying(true);
     turning.stream = Some(Setpoint { rates_radps: [0.0, 0.0, 0.8], ..HOVER });
     turning.run(100);
@@ -320,6 +322,17 @@ fn cases() -> Vec<Case> {
     hasty.heartbeat_ms = 100;
     let refused = Refusal::Settings(SettingsError::Timeouts);
     all.push(Case { bench: Bench::ready(), ..stays(Request::WriteSettings(hasty), refused) });
+
+    // What came too late: the next one is in time.
+    let in_time = |bench: &mut Bench| bench.age_ms = 0;
+    let late = |bench: Bench| bench.aged(REQUEST_AGE_MS + 1);
+    all.push(case(late(Bench::ready()), ARM, Refusal::Late, in_time));
+    // Of a start before this one, when it had been on for a minute.
+    all.push(case(Bench::ready().aged(0u32.wrapping_sub(60_000)), ARM, Refusal::Late, in_time));
+    let mut tested = Bench::ready();
+    tested.ask(Request::Arm(Purpose::MotorTest));
+    all.push(case(late(tested), test.clone(), Refusal::Late, in_time));
+    all.push(case(late(flying(true)), later_trigger, Refusal::Late, in_time));
 
     // Incidents and the kill switch.
     all.push(stays(Request::Acknowledge { incident: 3 }, Refusal::MotorsOn));
@@ -455,7 +468,7 @@ fn line(vehicle: &mut Vehicle<Vec<[u8; RECORD_BYTES]>>, bytes: &[u8]) -> Vec<(u1
 
 fn other_protocol() -> Refusal {
     let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 1]);
-    let stop = |version| Uplink { version, number: 4, request: Request::EmergencyStop };
+    let stop = |version| Uplink { version, number: 4, request: Request::EmergencyStop, heard_ms: 0 };
     let said = line(&mut vehicle, encode(&stop(PROTOCOL_VERSION - 1)).expect("it fits").as_bytes());
     assert_eq!(said, [(4, Reply::Refused(Refusal::ProtocolVersion))]);
     assert_eq!(vehicle.state(), FlightState::Calibrating);
@@ -469,8 +482,9 @@ fn other_protocol() -> Refusal {
 
 fn not_sealed() -> Refusal {
     let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 1]);
-    let ask =
-        |number, request| encode(&Uplink { version: PROTOCOL_VERSION, number, request }).expect("it fits");
+    let ask = |number, request| {
+        encode(&Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 }).expect("it fits")
+    };
     let said = line(&mut vehicle, ask(1, Request::Pair(Some([3; 16]))).as_bytes());
     assert_eq!(said, [(1, Reply::Done)]);
     let said = line(&mut vehicle, ask(2, Request::EmergencyStop).as_bytes());

@@ -319,7 +319,7 @@ fn a_disarm_finds_room() {
     let mut link = Link::new();
     let mut inbox = Inbox::new();
     let mut receive = |number, request| {
-        let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
+        let uplink = Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 };
         link.receive(encode(&uplink).expect("it fits").as_bytes(), None, &mut inbox);
         (inbox.back().map(|last| last.number), link.errors())
     };

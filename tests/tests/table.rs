@@ -328,7 +328,7 @@ fn five_five_fits_128_bytes_on_the_wire() {
     let bytes = heapless::Vec::from_slice(&bytes_of(&five_five())).expect("it fits");
     assert_eq!(bytes.len(), 114);
     let request = Request::Stage { total: 114, offset: 0, bytes };
-    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request };
+    let uplink = Uplink { version: PROTOCOL_VERSION, number: u16::MAX, request, heard_ms: 0 };
     let frame = encode(&uplink).expect("it fits a frame");
     assert!(frame.as_bytes().len() <= 128, "{} bytes", frame.as_bytes().len());
 }

@@ -37,12 +37,15 @@
 //! where host and vehicle are paired. Byte layout is postcard's, fields in the order of declaration. SI units and radians
 //! throughout.
 
+mod clock;
 mod event;
 mod record;
 mod refusal;
 mod state;
 mod telemetry;
+mod uplink;
 
+pub use clock::milliseconds;
 pub use event::{EVENTS, EVENTS_PER_CHUNK, Event, EventChunk, Happening};
 pub use record::{MAX_CHUNK_BYTES, RECORD_BYTES, RECORDS_PER_CHUNK, RecordChunk, RecordedTick, record_flags};
 pub use refusal::{CalibrationError, Refusal};
@@ -59,6 +62,9 @@ use crate::vehicle::VehicleConfig;
 
 /// Raised with every change of a message.
 pub const PROTOCOL_VERSION: u8 = 4;
+/// What may turn a motor is obeyed up to this age, ms: from when the vehicle said what the host heard last to when the request
+/// arrives. Telemetry every 20 ms and bursts of 50 ms lost each way need 150.
+pub const REQUEST_AGE_MS: u32 = 300;
 /// Most bytes of a table in one chunk.
 pub const STAGE_CHUNK_BYTES: usize = 128;
 /// Tables that a vehicle stores by name.
@@ -68,7 +74,7 @@ pub const STORED_TABLES: usize = 8;
 pub type TableName = String<16>;
 
 /// Host to vehicle.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Uplink {
     /// [`PROTOCOL_VERSION`] of the sender. A version that changes the requests it has in common with this one makes them
     /// unreadable; one that does not is told so.
@@ -77,6 +83,17 @@ pub struct Uplink {
     pub number: u16,
     /// What is asked.
     pub request: Request,
+    /// The vehicle's clock as the host heard it last, [`Telemetry::clock_ms`]; 0 where it has heard none. It tells how old the
+    /// request is at most. On the line only where the request [is timed](Request::is_timed); elsewhere 0 is read.
+    pub heard_ms: u32,
+}
+
+impl Uplink {
+    /// Whether the request, if it is timed, is at most [`REQUEST_AGE_MS`] old at this time of the vehicle's clock, µs. One that
+    /// claims to have heard what the vehicle has not said yet is not: it was meant for an earlier start.
+    pub fn is_recent(&self, now_us: u64) -> bool {
+        !self.request.is_timed() || milliseconds(now_us).wrapping_sub(self.heard_ms) <= REQUEST_AGE_MS
+    }
 }
 
 /// A [`Downlink`] about to be sent: the same bytes, without a copy of the message.
@@ -236,6 +253,20 @@ pub enum Request {
     },
 }
 
+impl Request {
+    /// Whether it may bring about that a motor turns, or goes on turning: then the vehicle wants to know how old it is.
+    pub fn is_timed(&self) -> bool {
+        matches!(
+            self,
+            Self::Heartbeat
+                | Self::Arm(_)
+                | Self::Setpoint { .. }
+                | Self::Trigger { .. }
+                | Self::TestMotor { .. }
+        )
+    }
+}
+
 /// Highest throttle of a motor test.
 pub const MOTOR_TEST_THROTTLE_MAX: f32 = 0.15;
 /// Longest motor test, ms.
@@ -331,6 +362,10 @@ pub struct Identity {
     pub session: u32,
     /// Whether requests must be sealed. `Identify` itself need not.
     pub paired: bool,
+    /// Counter of the last seal that was taken in this session; 0 where there was none. The next one must be above it.
+    pub last_counter: u32,
+    /// [`crate::seal::vouch`] for it, where there is a key: no stranger can make a host use its counters up.
+    pub last_counter_mac: u64,
     /// Lowest thrust per mass that a table may ask for, m/s².
     pub thrust_min_mps2: f32,
     /// Highest thrust per mass that a table may ask for, m/s².

@@ -94,6 +94,11 @@ pub enum Refusal {
     /// Setpoints do not act on a vehicle armed for a motor test, nor motor tests on one armed for flight.
     #[error("armed for something else: disarm, then arm for this")]
     OtherPurpose,
+    /// What may turn a motor came too late, or from a host that has not heard the vehicle: [`super::REQUEST_AGE_MS`].
+    #[error(
+        "the request is older than 0.3 s, or its host does not hear the vehicle: the link holds messages back, mend or replace it"
+    )]
+    Late,
 }
 
 /// Why guided turns say nothing of the gyro's scale. Nothing has changed; begin again.

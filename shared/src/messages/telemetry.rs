@@ -58,6 +58,13 @@ pub struct Telemetry {
     pub board: Option<BoardTelemetry>,
 }
 
+impl Telemetry {
+    /// The vehicle's clock as [`super::Uplink::heard_ms`] tells it back.
+    pub fn clock_ms(&self) -> u32 {
+        super::milliseconds(self.time_us)
+    }
+}
+
 /// Something that a person must know of before the motors turn again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Incident {

@@ -3,14 +3,15 @@
 //! Every request has a number; what stays unanswered is sent again under the same one, so that it is done once. `Pending`
 //! is asked again until it is done. Where the vehicle is paired, everything but the question who it is carries a seal.
 
+use std::collections::VecDeque;
 use std::hash::BuildHasher;
 
 use mintime_shared::framing::{Decoder, Frame};
 use mintime_shared::messages::{
-    Downlink, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
-    Setpoint, Telemetry, Uplink,
+    Downlink, Identity, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
+    Request, Setpoint, Telemetry, Uplink,
 };
-use mintime_shared::seal::{PairingKey, seal};
+use mintime_shared::seal::{PairingKey, seal, vouch};
 
 use super::connection::{ConnectionError, Line};
 use super::seal_counter::{self, SealCounter, SealsUsedUp};
@@ -19,6 +20,9 @@ use super::seal_counter::{self, SealCounter, SealsUsedUp};
 const ANSWER_TIMEOUT_S: f64 = 0.05;
 /// Times a request is sent before the vehicle counts as silent. Every request is harmless when repeated.
 const TRIES: u32 = 10;
+/// Where seals are refused, another program is at work whose counter is ahead: this one goes on so far above it. The other one
+/// then needs a third of a second to come there, and is told the same way.
+const COUNTERS_AHEAD: u32 = 100;
 /// What is under way on the vehicle is asked for again this often, s ...
 const PENDING_PERIOD_S: f64 = 0.1;
 /// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
@@ -47,7 +51,7 @@ pub enum ClientError {
         "the vehicle speaks protocol version {0}, this mintime speaks {PROTOCOL_VERSION}: flash its firmware again"
     )]
     Version(u8),
-    /// It is paired, and its seals have begun anew.
+    /// It is paired, and has taken the last seal there is.
     #[error(transparent)]
     Seals(#[from] SealsUsedUp),
     /// The line failed.
@@ -64,8 +68,8 @@ struct Pending {
     tries: u32,
     /// Since when the vehicle says that it is at it, s.
     working_since_s: Option<f64>,
-    /// The seal was refused: an old counter that was overtaken, or another key.
-    unsealed: bool,
+    /// How it was refused, where that may pass: its seal was overtaken, or it came too late.
+    refused: Option<Refusal>,
     /// Telemetry messages before it was asked.
     telemetry_count: u64,
 }
@@ -75,11 +79,15 @@ struct Pending {
 pub struct Client {
     decoder: Decoder,
     received: Vec<u8>,
+    /// Replies that have arrived and were not looked at.
+    replies: VecDeque<(u16, Reply)>,
     number: u16,
     sequence: u16,
     pending: Option<Pending>,
     telemetry: Option<Telemetry>,
     telemetry_count: u64,
+    /// The vehicle's clock as it was heard last.
+    heard_ms: u32,
     line_errors: u32,
     repeats: u32,
     round_trip_s: Option<f64>,
@@ -88,6 +96,8 @@ pub struct Client {
     /// The vehicle's session, if it wants seals.
     session: Option<u32>,
     seals: SealCounter,
+    /// The question for the vehicle's last counter that is under way: its number, and since when, s.
+    counter_asked: Option<(u16, f64)>,
 }
 
 impl Client {
@@ -173,7 +183,7 @@ impl Client {
             sent_s: now_s,
             tries: 1,
             working_since_s: None,
-            unsealed: false,
+            refused: None,
             telemetry_count: self.telemetry_count,
         });
         Ok(())
@@ -185,24 +195,11 @@ impl Client {
     /// # Errors
     /// [`ClientError`]; a refusal is one.
     pub fn poll(&mut self, line: &mut impl Line, now_s: f64) -> Result<Option<Reply>, ClientError> {
-        self.received.clear();
-        line.receive(&mut self.received)?;
+        self.hear(line)?;
         let mut answer = None;
-        for byte in core::mem::take(&mut self.received) {
-            match self.decoder.push::<Downlink>(byte) {
-                None => {}
-                Some(Err(_)) => self.line_errors += 1,
-                Some(Ok(Downlink { version, .. })) if version != PROTOCOL_VERSION => {
-                    self.foreign_version = Some(version);
-                }
-                Some(Ok(Downlink { message: Message::Telemetry(telemetry), .. })) => {
-                    self.telemetry = Some(telemetry);
-                    self.telemetry_count += 1;
-                }
-                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. })) => {
-                    answer = self.take(number, reply, now_s).or(answer);
-                }
-            }
+        while let Some((number, reply)) = self.replies.pop_front() {
+            self.keep_up(line, number, &reply, now_s)?;
+            answer = self.take(number, reply, now_s).or(answer);
         }
         match answer {
             Some(Reply::Refused(refusal)) => return Err(ClientError::Refused(refusal)),
@@ -210,6 +207,33 @@ impl Client {
             None => self.repeat(line, now_s)?,
         }
         Ok(answer)
+    }
+
+    /// Reads what has arrived: telemetry counts at once, replies wait for [`poll`](Self::poll).
+    fn hear(&mut self, line: &mut impl Line) -> Result<(), ConnectionError> {
+        self.received.clear();
+        line.receive(&mut self.received)?;
+        for byte in &self.received {
+            match self.decoder.push::<Downlink>(*byte) {
+                None => {}
+                Some(Err(_)) => self.line_errors += 1,
+                Some(Ok(Downlink { version, .. })) if version != PROTOCOL_VERSION => {
+                    self.foreign_version = Some(version);
+                }
+                Some(Ok(Downlink { message: Message::Telemetry(telemetry), .. })) => {
+                    self.heard_ms = telemetry.clock_ms();
+                    self.telemetry = Some(telemetry);
+                    self.telemetry_count += 1;
+                }
+                Some(Ok(Downlink { message: Message::Reply { number, reply }, .. })) => {
+                    if let Reply::Status(telemetry) = &reply {
+                        self.heard_ms = telemetry.clock_ms();
+                    }
+                    self.replies.push_back((number, reply));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// What a reply means for the request under way: `Some` where it ends it. Answers to requests that were repeated and
@@ -223,10 +247,14 @@ impl Client {
             }
             // On a line that reorders, a seal may be overtaken by a newer one: that alone proves no wrong key.
             Reply::Refused(Refusal::NotSealed) if self.key.is_some() && self.session.is_some() => {
-                pending.unsealed = true;
+                pending.refused = Some(Refusal::NotSealed);
                 return None;
             }
-            Reply::Identity(identity) => self.session = identity.paired.then_some(identity.session),
+            // Said again it carries a younger time.
+            Reply::Refused(Refusal::Late) => {
+                pending.refused = Some(Refusal::Late);
+                return None;
+            }
             _ => {}
         }
         if pending.tries == 1 {
@@ -234,6 +262,49 @@ impl Client {
         }
         self.pending = None;
         Some(reply)
+    }
+
+    /// What a reply says of seals, beside the answer it may be. Where they are refused the counter of another program may be
+    /// ahead, and the vehicle is asked for it.
+    fn keep_up(
+        &mut self,
+        line: &mut impl Line,
+        number: u16,
+        reply: &Reply,
+        now_s: f64,
+    ) -> Result<(), ConnectionError> {
+        match reply {
+            Reply::Identity(identity) if self.counter_asked.is_some_and(|(asked, _)| asked == number) => {
+                self.counter_asked = None;
+                // After a reset the vehicle is another one to whoever was at work with it.
+                if self.session == Some(identity.session) {
+                    self.take_counter(identity, COUNTERS_AHEAD);
+                }
+            }
+            Reply::Identity(identity) if self.pending.as_ref().is_some_and(|p| p.number == number) => {
+                self.session = identity.paired.then_some(identity.session);
+                self.take_counter(identity, 0);
+            }
+            Reply::Refused(Refusal::NotSealed)
+                if self.key.is_some()
+                    && self.session.is_some()
+                    && self.counter_asked.is_none_or(|(_, asked_s)| now_s - asked_s >= ANSWER_TIMEOUT_S) =>
+            {
+                let number = self.next_number();
+                self.counter_asked = Some((number, now_s));
+                self.transmit(line, number, Request::Identify)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Counts on above what the vehicle has taken, if it vouches for that.
+    fn take_counter(&mut self, identity: &Identity, ahead: u32) {
+        let vouched = |key| vouch(key, identity.session, identity.last_counter) == identity.last_counter_mac;
+        if self.key.as_ref().is_some_and(vouched) {
+            self.seals.exceed(identity.last_counter.saturating_add(ahead));
+        }
     }
 
     fn repeat(&mut self, line: &mut impl Line, now_s: f64) -> Result<(), ClientError> {
@@ -259,11 +330,8 @@ impl Client {
                 && self.session.is_some()
                 && pending.request != Request::Identify
                 && self.telemetry_count > pending.telemetry_count;
-            let error = match pending.unsealed || unheard {
-                true if SealCounter::is_young(seal_counter::now_s()) => SealsUsedUp.into(),
-                true => ClientError::Refused(Refusal::NotSealed),
-                false => silent,
-            };
+            let refused = pending.refused.or(unheard.then_some(Refusal::NotSealed));
+            let error = refused.map_or(silent, ClientError::Refused);
             (pending.tries >= TRIES).then_some(error)
         };
         if let Some(error) = failure {
@@ -287,9 +355,11 @@ impl Client {
         number: u16,
         request: Request,
     ) -> Result<(), ConnectionError> {
+        // The younger its time, the older the request may become on its way.
+        self.hear(line)?;
         // Whoever is asked who he is may have been switched off and on since: no session is known for sure.
         let sealed = (request != Request::Identify).then_some(self.key.zip(self.session)).flatten();
-        let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
+        let uplink = Uplink { version: PROTOCOL_VERSION, number, heard_ms: self.heard_ms, request };
         let mut frame = Frame::new();
         match sealed {
             Some((key, session)) => {

@@ -1,26 +1,22 @@
-//! Counters of seals: above every earlier one, of this program and of those before it.
+//! Counters of seals: above every earlier one, of this program and of those beside it.
 //!
-//! They follow the computer's clock, so that programs may come and go. The counter has 32 bits and so begins anew every
-//! [`EPOCH`] counts, 99 days. A program that is under way then goes on above, in a part of the numbers that no clock comes to;
-//! one that begins later, with a vehicle that has been on since before, is refused: [`SealCounter::is_young`] tells why.
+//! They follow the computer's clock, so that programs of one computer may come, go and run side by side without a word. Where
+//! the clock has been set back, or another computer's is ahead, the vehicle tells the last counter it took, and they go on
+//! above that. The counter has 32 bits: the clock's part of it begins anew every [`EPOCH`] counts, 99 days; who is above it then
+//! counts on by one a seal, in a part of the numbers that no clock comes to.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Counts of the clock, 1/s.
+/// Counts of the clock, 1/s: more than one program seals.
 const RATE_HZ: f64 = 500.0;
-/// Numbers above those of the clock: nine hours of seals at the clock's rate, for a program that meets the end of an epoch.
+/// Numbers above those of the clock: fifteen hours of seals at 300 a second, for a vehicle that meets the end of an epoch.
 const RESERVE: u64 = 1 << 24;
 /// Counts of the clock until it begins anew.
 const EPOCH: u64 = (1 << 32) - RESERVE;
-/// A vehicle that has been on since before the epoch began has been on for this long at most, s.
-const LONGEST_SESSION_S: f64 = 86_400.0;
 
-/// A vehicle takes no seal any more that this computer can make.
+/// A vehicle takes no seal any more that anybody can make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the counter of seals has begun anew today, as it does every 99 days, and the vehicle has heard a higher one: switch the \
-     vehicle off and on; if that does not help, give the key that it is paired with"
-)]
+#[error("the vehicle has taken the last of its counters of seals: switch it off and on")]
 pub struct SealsUsedUp;
 
 /// The counter of the last seal.
@@ -40,9 +36,9 @@ impl SealCounter {
         Ok(self.last)
     }
 
-    /// Whether the clock began anew so short a time ago that a vehicle may have heard higher counters in this session.
-    pub(super) fn is_young(unix_s: f64) -> bool {
-        ((counts(unix_s) % EPOCH) as f64) < LONGEST_SESSION_S * RATE_HZ
+    /// Goes on above this one.
+    pub(super) fn exceed(&mut self, last: u32) {
+        self.last = self.last.max(last);
     }
 }
 
@@ -96,18 +92,22 @@ mod tests {
         }
     }
 
-    /// The one case that is refused, and that it is explained.
+    /// Told the vehicle's last counter, a program is heard whatever its clock says: at the end of an epoch, or set back a year.
     #[test]
-    fn a_program_that_begins_behind_the_end_is_young() {
+    fn a_program_goes_on_above_the_vehicle() {
         let mut last = 0;
         let before = SealCounter::default().next(END_S - 0.01).expect("there are more");
         assert!(u64::from(before) > EPOCH - 10 && taken(&mut last, before));
-        assert!(!SealCounter::is_young(END_S - 0.01));
-        let after = SealCounter::default().next(END_S + 0.01).expect("there are more");
-        assert!(after < 10 && !taken(&mut last, after));
-        assert!(SealCounter::is_young(END_S + 0.01));
-        assert!(SealCounter::is_young(END_S + LONGEST_SESSION_S - 0.01));
-        assert!(!SealCounter::is_young(END_S + LONGEST_SESSION_S + 0.01));
+        for unix_s in [END_S + 0.01, END_S + 3600.0, END_S - 3e7, 0.0] {
+            let mut counter = SealCounter::default();
+            assert!(!taken(&mut last, counter.next(unix_s).expect("there are more")), "{unix_s}");
+            counter.exceed(last);
+            assert!(taken(&mut last, counter.next(unix_s).expect("there are more")), "{unix_s}");
+        }
+        // What it hears of an older time takes nothing back.
+        let mut counter = SealCounter { last: 70 };
+        counter.exceed(50);
+        assert_eq!(counter.next(0.0), Ok(71));
     }
 
     #[test]

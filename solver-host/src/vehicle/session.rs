@@ -80,6 +80,8 @@ impl<L: Link> Session<L> {
             vehicle: 0,
             session: 0,
             paired: false,
+            last_counter: 0,
+            last_counter_mac: 0,
             thrust_min_mps2: 0.0,
             thrust_max_mps2: 0.0,
             rate_max_radps: 0.0,

@@ -42,6 +42,8 @@ pub(crate) struct Hands {
     pub(crate) turn: Option<(u32, f32, u32)>,
     /// Something that a person must know of.
     pub(crate) report: Option<IncidentCause>,
+    /// The line keeps what the host says to itself; it delivers all of it when this ends.
+    pub(crate) holds_back: bool,
     /// Highest throttle that each output has had.
     pub(crate) throttle: [f32; 4],
 }
@@ -92,7 +94,8 @@ impl Served {
 /// The vehicle's end of the line.
 enum End {
     Tcp(TcpListener, Option<TcpStream>),
-    Udp(UdpSocket, Option<SocketAddr>),
+    /// All who have sent something hear what it says.
+    Udp(UdpSocket, Vec<SocketAddr>),
     #[cfg(unix)]
     Pty(serial2::SerialPort),
 }
@@ -110,7 +113,7 @@ impl End {
                 let socket = UdpSocket::bind("127.0.0.1:0").expect("a port");
                 socket.set_nonblocking(true).expect("possible");
                 let port = format!("udp:{}", socket.local_addr().expect("bound"));
-                (Self::Udp(socket, None), port)
+                (Self::Udp(socket, Vec::new()), port)
             }
             #[cfg(unix)]
             By::Pty => {
@@ -137,9 +140,11 @@ impl End {
                 }
                 stream.as_mut()?.read(&mut bytes).ok()?
             }
-            Self::Udp(socket, peer) => {
+            Self::Udp(socket, peers) => {
                 let (count, from) = socket.recv_from(&mut bytes).ok()?;
-                *peer = Some(from);
+                if !peers.contains(&from) {
+                    peers.push(from);
+                }
                 count
             }
             #[cfg(unix)]
@@ -153,7 +158,13 @@ impl End {
         // As on a wire, what nobody reads is lost.
         let _ = match self {
             Self::Tcp(_, Some(stream)) => stream.write(bytes).map(|_| ()),
-            Self::Udp(socket, Some(peer)) => socket.send_to(bytes, *peer).map(|_| ()),
+            Self::Udp(socket, peers) => {
+                // Who has gone keeps nobody else from hearing.
+                for peer in peers {
+                    let _ = socket.send_to(bytes, *peer);
+                }
+                Ok(())
+            }
             #[cfg(unix)]
             Self::Pty(port) => port.write(bytes).map(|_| ()),
             _ => Ok(()),
@@ -232,7 +243,8 @@ fn serve(mut end: End, faults: Faults, stopped: &AtomicBool, hands: &Mutex<Hands
         while let Some(chunk) = end.read() {
             up.push(&chunk);
         }
-        while let Some(chunk) = up.pop() {
+        let holds_back = hands.lock().unwrap_or_else(PoisonError::into_inner).holds_back;
+        while !holds_back && let Some(chunk) = up.pop() {
             vehicle.receive(&chunk);
         }
         // Flash takes its time.

@@ -482,6 +482,6 @@ fn load_frame() -> Vec<u8> {
     let bytes = heapless::Vec::from_slice(&[0x5A; STAGE_CHUNK_BYTES]).expect("a chunk");
     let request = Request::Stage { total: 300, offset: 0, bytes };
     let mut frame = Frame::new();
-    frame.fill(&Uplink { version: PROTOCOL_VERSION, number: 0xFFFF, request }).expect("it fits");
+    frame.fill(&Uplink { version: PROTOCOL_VERSION, number: 0xFFFF, request, heard_ms: 0 }).expect("it fits");
     frame.as_bytes().to_vec()
 }

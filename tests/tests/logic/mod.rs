@@ -12,6 +12,7 @@ use mintime_firmware::keeping::{Job, Key};
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, BoardTelemetry, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose,
     RECORD_BYTES, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
+    milliseconds,
 };
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_tests::reference_cases;
@@ -81,6 +82,10 @@ pub(crate) struct Bench {
     pub(crate) stream: Option<Setpoint>,
     /// A sign of life every hundred ticks, as a host gives it.
     pub(crate) heartbeat: bool,
+    /// How long ago the host heard the vehicle when it asked, ms ...
+    pub(crate) age_ms: u32,
+    /// ... and when it streamed or gave a sign of life.
+    pub(crate) stream_age_ms: u32,
     /// It stands on something, whatever its motors do.
     pub(crate) stands: bool,
     pub(crate) store: Option<Store>,
@@ -114,6 +119,8 @@ impl Bench {
             kill: KillSwitch::Run,
             stream: None,
             heartbeat: true,
+            age_ms: 0,
+            stream_age_ms: 0,
             stands: false,
             store: None,
             rates_radps: [0.0; 3],
@@ -222,18 +229,20 @@ impl Bench {
         self.now_us += interval_us;
         self.rates_radps = self.followed();
         let mut inbox = Inbox::new();
-        let mut requests = requests.to_vec();
+        let now_ms = milliseconds(self.now_us);
+        let asked = now_ms.wrapping_sub(self.age_ms);
+        let mut requests: Vec<_> = requests.iter().map(|request| (request.clone(), asked)).collect();
+        let streamed = now_ms.wrapping_sub(self.stream_age_ms);
         if let Some(setpoint) = self.stream.filter(|_| self.ticks.is_multiple_of(8)) {
-            self.sequence = self.sequence.wrapping_add(1);
-            requests.push(Request::Setpoint { sequence: self.sequence, setpoint });
+            requests.push((self.setpoint(setpoint), streamed));
         }
         if self.heartbeat && requests.is_empty() && self.ticks.is_multiple_of(100) {
-            requests.push(Request::Heartbeat);
+            requests.push((Request::Heartbeat, streamed));
         }
-        for request in requests {
+        for (request, heard_ms) in requests {
             self.number = self.number.wrapping_add(1);
             inbox
-                .push_back(Uplink { version: PROTOCOL_VERSION, number: self.number, request })
+                .push_back(Uplink { version: PROTOCOL_VERSION, number: self.number, request, heard_ms })
                 .expect("the inbox has room");
         }
         let mut outbox = Outbox::new();
@@ -248,6 +257,12 @@ impl Bench {
         check_throttles(&self.out, self.logic.state());
         self.ticks += 1;
         self.said.extend(outbox.iter().cloned());
+    }
+
+    /// Asks so late from now on, ms.
+    pub(crate) fn aged(mut self, age_ms: u32) -> Self {
+        self.age_ms = age_ms;
+        self
     }
 
     pub(crate) fn tick(&mut self, requests: &[Request]) {
