@@ -487,10 +487,12 @@ fn telemetry_comes_every_twenty_milliseconds() {
 /// More requests than fit the inbox, at one instant: an emergency stop among them is not lost.
 #[test]
 fn an_emergency_stop_finds_room() {
+    const READY_TICKS: u64 = 900;
+    const READY_MS: u32 = (READY_TICKS * TICK_US / 1000) as u32;
     for place in 0..12 {
         let mut vehicle = Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 100]);
         let send = |vehicle: &mut Vehicle<Record>, request| {
-            let uplink = Uplink { version: PROTOCOL_VERSION, number: 1, request, heard_ms: 0 };
+            let uplink = Uplink { version: PROTOCOL_VERSION, number: 1, request, heard_ms: READY_MS };
             vehicle.receive(encode(&uplink).expect("it fits").as_bytes());
         };
         let mut now_us = 0;
@@ -502,7 +504,7 @@ fn an_emergency_stop_finds_room() {
             });
             vehicle.tick(&TickInput { now_us, imu, battery_v: Some(15.0), kill: KillSwitch::Run })
         };
-        for _ in 0..900 {
+        for _ in 0..READY_TICKS {
             tick(&mut vehicle);
         }
         send(&mut vehicle, Request::Arm(Purpose::Flight));
