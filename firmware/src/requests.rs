@@ -119,10 +119,15 @@ impl<M: RecordMemory> FlightLogic<M> {
         match uplink.request {
             Request::Setpoint { .. } => true,
             Request::Arm(_) => self.state() != FlightState::Armed,
-            Request::Trigger { .. } => !is_repeated(self.last_trigger, uplink.number, now_us),
+            Request::Trigger { checksum } => !self.has_triggered(uplink.number, checksum, now_us),
             Request::TestMotor { .. } => self.motor_test.is_none_or(|test| test.number != uplink.number),
             _ => false,
         }
+    }
+
+    /// Whether it was this very request that triggered the last maneuver.
+    fn has_triggered(&self, number: u16, checksum: u32, now_us: u64) -> bool {
+        is_repeated(self.last_trigger, number, now_us) && checksum == self.tables.committed_checksum()
     }
 
     fn take(&mut self, number: u16, request: &Request, now_us: u64, conditions: &mut Conditions) -> Verdict {
@@ -157,10 +162,7 @@ impl<M: RecordMemory> FlightLogic<M> {
                 Err(refusal) => Verdict::Now(Err(refusal)),
             },
             // The answer was lost and the host asks again: it has been done. Never fly a maneuver twice for one request.
-            Request::Trigger { checksum }
-                if is_repeated(self.last_trigger, number, now_us)
-                    && checksum == self.tables.committed_checksum() =>
-            {
+            Request::Trigger { checksum } if self.has_triggered(number, checksum, now_us) => {
                 Verdict::Now(Ok(()))
             }
             Request::Trigger { checksum } => match self.may_trigger(checksum, now_us) {

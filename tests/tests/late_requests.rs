@@ -57,7 +57,7 @@ fn late_setpoints_are_not_flown() {
     assert!(telemetry.setpoints_lost > lost && telemetry.setpoints_lost - lost < u32::from(late));
 }
 
-/// What is not a number stays one that is told of, late or not.
+/// Nobody takes off by what was asked for long ago.
 #[test]
 fn late_setpoints_lift_nothing() {
     let mut bench = Bench::armed();
@@ -94,6 +94,9 @@ fn late_repetitions_are_told_that_it_is_done() {
     flying.number = number - 1;
     assert_eq!(flying.ask(Request::Trigger { checksum: table().checksum() }), Reply::Done);
     assert_eq!(flying.logic.state(), FlightState::Maneuver);
+    // Under that number, but for another table: it was not that one which flew.
+    flying.number = number - 1;
+    assert_eq!(flying.ask(Request::Trigger { checksum: 1 }), LATE);
 
     let mut tested = Bench::ready();
     assert_eq!(tested.ask(Request::Arm(Purpose::MotorTest)), Reply::Done);

@@ -14,7 +14,7 @@ use mintime_shared::messages::{
 use mintime_shared::seal::{PairingKey, seal, vouch};
 
 use super::connection::{ConnectionError, Line};
-use super::seal_counter::{self, SealCounter, SealsUsedUp};
+use super::seal_counter::{self, SealCounter};
 
 /// An answer is waited for this long before the request is sent again, s.
 const ANSWER_TIMEOUT_S: f64 = 0.05;
@@ -51,9 +51,6 @@ pub enum ClientError {
         "the vehicle speaks protocol version {0}, this mintime speaks {PROTOCOL_VERSION}: flash its firmware again"
     )]
     Version(u8),
-    /// It is paired, and has taken the last seal there is.
-    #[error(transparent)]
-    Seals(#[from] SealsUsedUp),
     /// The line failed.
     #[error(transparent)]
     Connection(#[from] ConnectionError),
@@ -363,7 +360,7 @@ impl Client {
         let mut frame = Frame::new();
         match sealed {
             Some((key, session)) => {
-                let counter = self.seals.next(seal_counter::now_s()).map_err(std::io::Error::other)?;
+                let counter = self.seals.next(seal_counter::now_s())?;
                 frame.fill_sealed(&uplink, |content| seal(&key, session, counter, content))
             }
             None => frame.fill(&uplink),

@@ -4,6 +4,7 @@ use mintime_shared::messages::FlightState;
 use mintime_shared::seal::PairingKey;
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::seal_counter::SealsUsedUp;
 use crate::motion_capture::CaptureError;
 use crate::port::PortError;
 
@@ -80,6 +81,9 @@ pub enum ConnectionError {
     /// The virtual board came to a halt.
     #[error("the virtual board has stopped: {0}")]
     Board(String),
+    /// The vehicle is paired, and there is no seal any more that it would take.
+    #[error(transparent)]
+    Seals(#[from] SealsUsedUp),
     /// The serial line failed.
     #[error("the serial line failed: {0}")]
     Line(#[from] std::io::Error),
