@@ -58,6 +58,15 @@ rows! {
     loose_bus_maneuver: BusLoose in Maneuver => Tracking within 160 told LostSamples;
     noisy_edges_tracking: NoisyEdges in Tracking => Tracking;
     noisy_edges_maneuver: NoisyEdges in Maneuver => Tracking within 490;
+    ringing_10_us_disarmed: Ringing10 in Disarmed => Disarmed;
+    ringing_10_us_tracking: Ringing10 in Tracking => Tracking;
+    ringing_10_us_maneuver: Ringing10 in Maneuver => Tracking within 490;
+    ringing_5_us_disarmed: Ringing5 in Disarmed => Disarmed;
+    ringing_5_us_tracking: Ringing5 in Tracking => Tracking;
+    ringing_5_us_maneuver: Ringing5 in Maneuver => Tracking within 490;
+    ringing_1_us_disarmed: Ringing1 in Disarmed => Disarmed;
+    ringing_1_us_tracking: Ringing1 in Tracking => Tracking;
+    ringing_1_us_maneuver: Ringing1 in Maneuver => Tracking within 490;
     // The link and the host.
     flipped_bits_tracking: FlippedBits in Tracking => Tracking;
     lost_bytes_tracking: LostBytes in Tracking => Tracking;

@@ -46,6 +46,9 @@ pub(crate) enum Fault {
     BusLow,
     BusLoose,
     NoisyEdges,
+    Ringing10,
+    Ringing5,
+    Ringing1,
     FlippedBits,
     LostBytes,
     LineNoise,
@@ -100,6 +103,9 @@ impl Fault {
             Self::BusLow => "gyro bus stuck low",
             Self::BusLoose => "gyro bus: every fifth read fails",
             Self::NoisyEdges => "edges on the data-ready line",
+            Self::Ringing10 => "data-ready line rings every 10 µs",
+            Self::Ringing5 => "data-ready line rings every 5 µs",
+            Self::Ringing1 => "data-ready line rings every 1 µs",
             Self::FlippedBits => "link: a bit flipped in a third of the frames",
             Self::LostBytes => "link: a byte lost from a third of the frames",
             Self::LineNoise => "link: noise and breaks between the frames",
@@ -170,6 +176,9 @@ impl Fault {
             Self::BusLow => break_gyro(rig, Some(Defect::StuckLow)),
             Self::BusLoose => break_gyro(rig, Some(Defect::Loose(5))),
             Self::NoisyEdges => rig.every_pose = Some(stray_edges),
+            Self::Ringing10 => ring(rig, Some(10_000)),
+            Self::Ringing5 => ring(rig, Some(5_000)),
+            Self::Ringing1 => ring(rig, Some(1_000)),
             Self::FlippedBits => rig.damage = Damage::FlippedBits,
             Self::LostBytes => rig.damage = Damage::LostBytes,
             Self::LineNoise => rig.damage = Damage::Noise,
@@ -280,6 +289,7 @@ impl Fault {
                 break_gyro(rig, None);
             }
             Self::NoisyEdges => rig.every_pose = None,
+            Self::Ringing10 | Self::Ringing5 | Self::Ringing1 => ring(rig, None),
             Self::FlippedBits | Self::LostBytes | Self::LineNoise | Self::FullLoad => {
                 rig.damage = Damage::None;
             }
@@ -315,6 +325,13 @@ impl Fault {
 
 fn break_gyro(rig: &mut Rig, defect: Option<Defect>) {
     rig.board().peripherals.board_mut().gyro.defect = defect;
+}
+
+/// Edges on the line without end, so long from one to the next.
+fn ring(rig: &mut Rig, period_ns: Option<u64>) {
+    let now_ns = rig.vehicle.now_ns();
+    let Board { peripherals, memory, .. } = rig.board();
+    peripherals.ring_data_ready(memory, now_ns, period_ns);
 }
 
 /// Three pulses on the line between two samples.

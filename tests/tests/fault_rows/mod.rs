@@ -127,6 +127,8 @@ impl Row {
         let board = telemetry.board.expect("a board");
         let struck = match self.fault {
             Fault::NoisyEdges => board.spurious_edges > 20,
+            // A period counts once.
+            Fault::Ringing10 | Fault::Ringing5 | Fault::Ringing1 => board.spurious_edges > 200,
             Fault::FlippedBits | Fault::LostBytes | Fault::LineNoise => telemetry.link_errors > 10,
             Fault::BusLoose => telemetry.missing_samples > 20,
             Fault::BusLow if self.phase == Phase::Disarmed => telemetry.missing_samples > 100,
