@@ -129,7 +129,11 @@ rows! {
     hard_fault_recovery: HardFault in Recovery => Boot within 12 off 1 told HardFault;
     double_fault_tracking: DoubleFault in Tracking => Boot within 120 off 125 told Watchdog;
     stray_interrupt_tracking: StrayInterrupt in Tracking => Boot within 12 off 1 told UnexpectedInterrupt;
-    crystal_tracking: CrystalLost in Tracking => Boot within 30 off 15 told ClockLost;
+    crystal_disarmed: CrystalLost in Disarmed => Boot within 12 told ClockLost;
+    crystal_armed: CrystalLost in Armed => Boot within 12 off 1 told ClockLost;
+    crystal_tracking: CrystalLost in Tracking => Boot within 12 off 1 told ClockLost;
+    crystal_maneuver: CrystalLost in Maneuver => Boot within 12 off 1 told ClockLost;
+    crystal_recovery: CrystalLost in Recovery => Boot within 12 off 1 told ClockLost;
     brown_out_armed: BrownOut in Armed => Boot within 12 off 1 told BrownOut;
     brown_out_tracking: BrownOut in Tracking => Boot within 12 off 1 told BrownOut;
     brown_out_maneuver: BrownOut in Maneuver => Boot within 12 off 1 told BrownOut;

@@ -262,6 +262,9 @@ pub(super) fn clocks() -> embassy_stm32::Config {
     config
 }
 
+/// Makes 2 MHz for the PLL of the internal oscillator's 16, as `clocks` does of the crystal's 8.
+pub(super) const PREDIV_OF_INTERNAL_OSCILLATOR: PllPreDiv = PllPreDiv::DIV8;
+
 /// Gives every interrupt in use its priority; whatever is left out would have the highest.
 pub(super) fn set_priorities() {
     interrupt::EXTI4.set_priority(STAMP_PRIORITY);

@@ -152,6 +152,7 @@ impl Fault {
     pub(crate) const fn expected_bug(self) -> Option<&'static str> {
         match self {
             Self::DoubleFault => Some("lock-up"),
+            // The bit on the wire.
             Self::CrystalLost => Some("no rate of DShot"),
             Self::StackOverflow => Some("nothing lies at 0x1fff"),
             Self::GyroSilent => Some("BMI270: samples come every"),
@@ -246,10 +247,10 @@ impl Fault {
             }
             Self::CrystalLost => {
                 let board = rig.board();
-                board.peripherals.fail_crystal(&mut board.memory, true);
+                board.peripherals.fail_crystal(&mut board.memory, board.core.cycle, true);
                 rig.pass_ms(10);
                 let board = rig.board();
-                board.peripherals.fail_crystal(&mut board.memory, false);
+                board.peripherals.fail_crystal(&mut board.memory, board.core.cycle, false);
             }
             Self::BrownOut => {
                 rig.board().peripherals.set_supply_v(2.8);
