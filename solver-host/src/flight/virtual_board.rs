@@ -287,9 +287,11 @@ impl VirtualVehicle {
             let lines = self.decoder.decode(&logged);
             self.log.extend(lines.lines().map(|line| (now_ns, line.to_owned())));
         }
-        let state = FlightState::from_index(self.watch.state).unwrap_or_default();
+        // A start clears it word by word.
+        let restarted = self.watch.ticks < before;
+        let state = FlightState::from_index(self.watch.state).filter(|_| !restarted).unwrap_or_default();
         let changed = self.watch.ticks != before && self.states.last().is_none_or(|(_, last)| *last != state);
-        if changed || self.watch.ticks < before {
+        if changed || restarted {
             self.states.push((now_ns, state));
         }
         let setpoint = self.watch.output().setpoint;
