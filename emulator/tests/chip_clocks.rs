@@ -71,8 +71,12 @@ fn a_dead_crystal_raises_the_monitor_and_the_chip_goes_on() {
     let mut rig = bare();
     rig.start_clocks();
     rig.set(RCC, 1 << 19);
-    let Rig { chip, memory, .. } = &mut rig;
-    chip.fail_crystal(memory, true);
+    // The chip was last looked at some time ago.
+    let ns = rig.ns();
+    rig.at += 168 * 1000;
+    let Rig { chip, memory, at, .. } = &mut rig;
+    chip.fail_crystal(memory, *at, true);
+    assert!((1_000_000..1_000_010).contains(&(rig.ns() - ns)), "{}", rig.ns() - ns);
     assert!(rig.chip.nmi());
     assert_eq!(rig.chip.clock().rates().hclk_hz, 16_000_000);
     assert_eq!(rig.read(RCC + 0x0C) & 0x80, 0x80);

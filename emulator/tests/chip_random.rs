@@ -107,14 +107,14 @@ fn hammer(seed: u64, accesses: u32) -> u64 {
             2 => rig.pass(noise.below(3 * MS)),
             3 => {
                 let dead = noise.below(2) == 0;
-                rig.chip.fail_crystal(&mut rig.memory, dead);
+                rig.chip.fail_crystal(&mut rig.memory, rig.at, dead);
             }
             _ => {}
         }
         if rig.chip.take_reset() {
             let at = rig.at;
             rig.chip.reset(&mut rig.memory, at);
-            rig.chip.fail_crystal(&mut rig.memory, false);
+            rig.chip.fail_crystal(&mut rig.memory, at, false);
             rig.memory.bugs.clear();
             rig.start_clocks();
         }

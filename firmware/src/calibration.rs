@@ -15,8 +15,8 @@ pub use mintime_shared::messages::CalibrationError;
 use crate::attitude::{Rotation, turn_between};
 use crate::config::GYRO_SATURATION_RADPS;
 use crate::config::control::{
-    SCALE_BIAS_DRIFT_RADPS, SCALE_ERROR_MAX, SCALE_MOTION_RAD, SCALE_TURNING_MAX_S, SCALE_TURNS_MAX,
-    SCALE_WAITING_MAX_S, SCALE_WOBBLE_RAD,
+    SCALE_BIAS_DRIFT_RADPS, SCALE_ERROR_MAX, SCALE_GAP_MAX_S, SCALE_MOTION_RAD, SCALE_TURNING_MAX_S,
+    SCALE_TURNS_MAX, SCALE_WAITING_MAX_S, SCALE_WOBBLE_RAD,
 };
 use crate::gyro::StillWindow;
 
@@ -60,6 +60,8 @@ pub struct ScaleCalibration {
     goal_rad: f32,
     phase: Phase,
     window: StillWindow,
+    /// Since the last sample.
+    unseen_s: f32,
     in_phase_s: f32,
     /// Since the first motion.
     turning_s: f32,
@@ -82,19 +84,27 @@ impl ScaleCalibration {
             goal_rad: f32::from(turns) * core::f32::consts::TAU,
             phase: Phase::Before,
             window: StillWindow::EMPTY,
+            unseen_s: 0.0,
             in_phase_s: 0.0,
             turning_s: 0.0,
             settled: false,
         })
     }
 
-    /// Takes the rates of a sample as the sensor gives them, rad/s: neither bias nor scale corrected. `dt_s` is the time
-    /// since the one before. Returns the factor by which the axis' rates are to be multiplied, once; a sample that is no
-    /// number, or a time that is none, changes nothing.
-    pub fn update(&mut self, raw_radps: [f32; 3], dt_s: f32) -> Option<Result<f32, CalibrationError>> {
-        if !(dt_s >= 0.0 && dt_s.is_finite() && raw_radps.iter().all(|r| r.is_finite())) {
+    /// Takes a tick's sample, the rates as the sensor gives them, rad/s, neither bias nor scale corrected; or its absence. `dt_s`
+    /// is the time since the tick before. Returns the factor by which the axis' rates are to be multiplied, once. A sample that
+    /// is no number is none; a time that is none changes nothing.
+    pub fn update(
+        &mut self,
+        raw_radps: Option<[f32; 3]>,
+        dt_s: f32,
+    ) -> Option<Result<f32, CalibrationError>> {
+        if !(dt_s >= 0.0 && dt_s.is_finite()) {
             return None;
         }
+        self.unseen_s += dt_s;
+        let raw_radps = raw_radps.filter(|raw| raw.iter().all(|r| r.is_finite()))?;
+        let dt_s = core::mem::take(&mut self.unseen_s);
         self.in_phase_s += dt_s;
         let result = match self.phase {
             Phase::Before => self.wait(raw_radps),
@@ -132,6 +142,9 @@ impl ScaleCalibration {
         let Phase::Turning { bias_radps, rotation, angle_rad, last_radps, moved } = &mut self.phase else {
             return None;
         };
+        if dt_s > SCALE_GAP_MAX_S {
+            return Some(Err(E::SamplesLost));
+        }
         if raw_radps.iter().any(|r| r.abs() >= GYRO_SATURATION_RADPS) {
             return Some(Err(E::TooFast));
         }

@@ -1,6 +1,7 @@
 //! When a tick runs: at each data-ready edge of the gyro, and by a timer where the edge stays away.
 //!
-//! No clock and no hardware: a board tells of edges and of its timer's firing and asks how long to wait. Every tick is
+//! No clock and no hardware: a board tells of edges and of its timer's firing and asks how long to wait, and for how long behind
+//! an edge it need not listen to others. Every tick is
 //! later than the one before or at the same time, whatever order the two events are served in. Only a clock that runs
 //! backwards by more than a period is passed on as it is: the flight logic must see that.
 
@@ -50,12 +51,11 @@ impl Pacer {
         self.look_at_clock(at_us);
         if let Some(last_us) = self.last_edge_us {
             let interval = bounded(at_us.saturating_sub(last_us)).saturating_mul(SMOOTHING);
-            let percent = |part: u32| self.period * part / 100;
-            if interval < percent(EDGE_MIN_PERCENT) {
+            if interval < self.least_interval() {
                 self.spurious = self.spurious.saturating_add(1);
                 return None;
             }
-            if interval <= percent(EDGE_MAX_PERCENT) {
+            if interval <= self.period * EDGE_MAX_PERCENT / 100 {
                 const SLOWEST: u32 = TICK_PERIOD_US * SMOOTHING * (100 + CLOCK_ERROR_PERCENT) / 100;
                 const FASTEST: u32 = TICK_PERIOD_US * SMOOTHING * (100 - CLOCK_ERROR_PERCENT) / 100;
                 let mean = (self.period * (SMOOTHING - 1) + interval) / SMOOTHING;
@@ -84,14 +84,32 @@ impl Pacer {
         self.deadline_us.saturating_sub(now_us).min(EDGE_TIMEOUT_US)
     }
 
+    /// An edge may be a tick's again so long from now, µs; one before that is noise, and a board does well not to listen to
+    /// the line. Never longer than a period, whatever the clock says.
+    pub fn deaf_us(&self, now_us: u64) -> u64 {
+        let Some(last_us) = self.last_edge_us else { return 0 };
+        let least_us = u64::from(self.least_interval().div_ceil(SMOOTHING));
+        last_us.saturating_add(least_us).saturating_sub(now_us).min(PERIOD_US)
+    }
+
+    /// Counts noise that came, if any did, while the board did not listen.
+    pub const fn note_noise(&mut self, noisy: bool) {
+        self.spurious = self.spurious.saturating_add(noisy as u32);
+    }
+
     /// Periods without a tick so far. A tick up to three quarters of a period late is late, not missed.
     pub const fn missed(&self) -> u32 {
         self.missed
     }
 
-    /// Edges that came too soon.
+    /// Edges that came too soon; of those that a board did not listen to, one a period.
     pub const fn spurious(&self) -> u32 {
         self.spurious
+    }
+
+    /// From an edge to the next one at least, 1/[`SMOOTHING`] µs.
+    const fn least_interval(&self) -> u32 {
+        self.period * EDGE_MIN_PERCENT / 100
     }
 
     /// Begins anew where the clock has run backwards.
@@ -180,6 +198,18 @@ mod tests {
     }
 
     #[test]
+    fn an_edge_counts_again_when_the_line_is_opened() {
+        let mut pacer = Pacer::new(0);
+        assert_eq!(pacer.deaf_us(0), 0);
+        pacer.edge(1_000);
+        assert_eq!(pacer.deaf_us(1_100), 963);
+        pacer.note_noise(true);
+        pacer.note_noise(false);
+        assert_eq!((pacer.deaf_us(2_063), pacer.deaf_us(3_000)), (0, 0));
+        assert_eq!((pacer.edge(2_063), pacer.spurious()), (Some(2_063), 1));
+    }
+
+    #[test]
     fn a_clock_that_runs_backwards_is_passed_on_and_does_not_stop_the_ticks() {
         let mut pacer = Pacer::new(0);
         pacer.edge(100_000);
@@ -232,6 +262,21 @@ mod tests {
                 prop_assert_eq!(pacer.edge(at), Some(at));
             }
             prop_assert_eq!(pacer.missed() + pacer.spurious(), 0);
+        }
+
+        /// Who listens only as long as he is told to hears no edge that would be dropped, and each that would not.
+        #[test]
+        fn the_line_is_opened_when_edges_count(waits in prop::collection::vec(1_000_u64..2_000, 1..200)) {
+            let (mut pacer, mut now) = (Pacer::new(0), 0);
+            for wait in waits {
+                now += wait;
+                pacer.edge(now);
+                let opens = pacer.deaf_us(now);
+                prop_assert!(opens <= PERIOD_US);
+                prop_assert_eq!(pacer.edge(now + opens - 1), None);
+                now += opens;
+                prop_assert_eq!(pacer.edge(now), Some(now));
+            }
         }
 
         /// Noise in the first four fifths of a period is told from the gyro's own edges, whatever its clock.

@@ -37,11 +37,11 @@ impl<M: RecordMemory> FlightLogic<M> {
         // Where the sample is missing the last rates have to do, and gravity says nothing.
         let accel_mps2 = self.accel_mps2.unwrap_or_default();
         self.attitude.update(self.gyro.rates_radps(), accel_mps2, dt_s, motion);
-        if let (Some(imu), Some(turns)) = (imu, &mut self.turns)
+        if let Some(turns) = &mut self.turns
             && turns.found.is_none()
             && !self.supervisor.state().motors_on()
         {
-            turns.found = turns.under_way.update(imu.gyro_radps, dt_s);
+            turns.found = turns.under_way.update(imu.map(|imu| imu.gyro_radps), dt_s);
         }
     }
 

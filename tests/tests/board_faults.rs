@@ -5,10 +5,10 @@ mod bench;
 use std::cell::Cell;
 use std::rc::Rc;
 
-use bench::{Bench, Board, MOTOR_PINS, wake};
-use emulator::chip::clock::Rates;
+use bench::stopping::{Stopped, stopped};
+use bench::{Bench, Board, wake};
 use emulator::devices::Defect;
-use mintime::flight::{Outcome, Phase, VirtualVehicle};
+use mintime::flight::{Outcome, Phase};
 use mintime_shared::messages::{AbortReason, ArmingBlock, FlightState, GyroFault};
 use mintime_simulator::Fault;
 
@@ -153,39 +153,6 @@ fn run_instead(board: &mut Board, registers: &[u32], code: &[u16]) {
 
 // ------------------------------------------------------------------------------------------------------------ crashes
 
-/// After the fault, ms: when every speed controller was told to stop, when the chip was reset (its pins float then, and
-/// bring no pulses), and when the firmware began to hold the lines low again.
-#[derive(Clone, Copy, Debug, Default)]
-struct Stopped {
-    told_ms: Option<f64>,
-    reset_ms: Option<f64>,
-    low_ms: Option<f64>,
-}
-
-/// Runs the board alone for ten milliseconds, looking at the motors every ten microseconds.
-fn stopped(vehicle: &mut VirtualVehicle) -> Stopped {
-    let board = vehicle.machine_mut();
-    let clock = |board: &Board| board.peripherals.clock().ns(board.time());
-    let start = clock(board);
-    let mut seen = Stopped::default();
-    while clock(board) < start + 10_000_000 {
-        let until = board.time() + board.peripherals.clock().cycles_for(10_000);
-        board.run_until(until);
-        let ms = (clock(board) - start) as f64 * 1e-6;
-        let chip = &board.peripherals;
-        if chip.motors(clock(board)).iter().all(|motor| motor.throttle.unwrap_or(0.0) == 0.0) {
-            seen.told_ms.get_or_insert(ms);
-        }
-        if chip.clock().rates() == Rates::RESET {
-            seen.reset_ms.get_or_insert(ms);
-            if MOTOR_PINS.iter().all(|pin| chip.driven_level(*pin) == Some(false)) {
-                seen.low_ms.get_or_insert(ms);
-            }
-        }
-    }
-    seen
-}
-
 /// Does something bad to the board in the hover; it must stop the motors within a millisecond, and come back.
 fn crash(kind: &str, mut act: impl FnMut(&mut Board) + 'static) -> Stopped {
     let seen = Rc::new(Cell::new(Stopped::default()));
@@ -225,24 +192,6 @@ fn a_stuck_interrupt_stops_the_motors_within_a_millisecond() {
         // The window watchdog's: pend it and switch it on. str r1, [r0]; str r1, [r2]; b .
         run_instead(board, &[0xE000_E200, 1, 0xE000_E100], &[0x6001, 0x6011, 0xE7FE]);
     });
-}
-
-/// The chip goes on with its internal oscillator: stop frames come too slowly to be any, the low lines must do. A speed
-/// controller that misses its signal stops by itself.
-#[test]
-fn a_crystal_that_stops_ends_in_low_lines() {
-    let bench = Bench::real(6).then(Phase::Hover, IN_HOVER_MS, |vehicle| {
-        let board = vehicle.machine_mut();
-        board.peripherals.fail_crystal(&mut board.memory, true);
-        let seen = stopped(vehicle);
-        println!("crystal: {seen:?}");
-        assert!(seen.low_ms.is_some_and(|ms| ms < 6.0), "{seen:?}");
-        // It comes back, or nobody would hear of the vehicle again.
-        let board = vehicle.machine_mut();
-        board.peripherals.fail_crystal(&mut board.memory, false);
-    });
-    let after_ms = reset_in_flight(bench, "Software", &["ClockLost"]);
-    println!("crystal: motors off after {after_ms:.1} ms");
 }
 
 /// A word of code that rots stays rotten: the board crashes whenever it gets there, and never turns a motor again.

@@ -91,9 +91,10 @@ fn calibrate_with(
         spoil(t, &mut sample);
         let dt_s = ((now - last_ns) as f64 * 1e-9) as f32;
         last_ns = now;
-        if let Some(result) = calibration.update(sample.rates_radps, dt_s) {
+        let seen = Some(sample.rates_radps).filter(|rates| !rates[0].is_nan());
+        if let Some(result) = calibration.update(seen, dt_s) {
             // Once, and never again.
-            assert_eq!(calibration.update(sample.rates_radps, dt_s), None);
+            assert_eq!(calibration.update(seen, dt_s), None);
             return result;
         }
         // The rates that lead to where the hand is at the next sample.
@@ -197,19 +198,37 @@ fn mistakes_are_refused() {
     assert!(matches!(calibrate_with(2, &HAND, 4, far_off), Err(E::Implausible | E::TooFar)));
 }
 
+/// A sample that is missing costs its time and no angle; where too many are the turn says nothing.
+#[test]
+fn lost_samples_are_bridged_or_end_it() {
+    const PERIOD_S: f64 = 1.25e-3;
+    // In the fastest part of the turns, so many at once and so often.
+    let losing = |count: f64, every_s: f64| {
+        move |t: f64, s: &mut ImuSample| {
+            if (4.0..10.0).contains(&t) && t % every_s < count * PERIOD_S {
+                s.rates_radps = [f32::NAN; 3];
+            }
+        }
+    };
+    let whole = calibrate(5, &HAND, 4).expect("a scale");
+    let some = calibrate_with(5, &HAND, 4, losing(6.0, 0.1)).expect("a scale");
+    assert!((some / whole - 1.0).abs() < 5e-5, "{some} for {whole}");
+    assert_eq!(calibrate_with(5, &HAND, 4, losing(10.0, 3.0)), Err(CalibrationError::SamplesLost));
+}
+
 /// Samples that are no numbers change nothing.
 #[test]
 fn nonsense_changes_nothing() {
     let start = || ScaleCalibration::start(Axis::Up, 1).expect("a turn");
     let (mut calibration, mut clean) = (start(), start());
     for bad in [f32::NAN, f32::INFINITY] {
-        assert_eq!(calibration.update([bad, 0.0, 0.0], 1.25e-3), None);
-        assert_eq!(calibration.update([0.0; 3], bad), None);
-        assert_eq!(calibration.update([0.0; 3], -1.0), None);
+        assert_eq!(calibration.update(Some([bad, 0.0, 0.0]), 1.25e-3), None);
+        assert_eq!(calibration.update(Some([0.0; 3]), bad), None);
+        assert_eq!(calibration.update(Some([0.0; 3]), -1.0), None);
     }
     for _ in 0..500 {
         let rates = [0.001, 0.0, 0.0];
-        assert_eq!(calibration.update(rates, 1.25e-3), clean.update(rates, 1.25e-3));
+        assert_eq!(calibration.update(Some(rates), 1.25e-3), clean.update(Some(rates), 1.25e-3));
     }
     assert!(calibration.may_turn() && clean.may_turn());
 }

@@ -143,7 +143,7 @@ fn refusals() -> Vec<Refusal> {
         Refusal::NoSuchIncident,
         Refusal::KillSwitch,
         Refusal::NotSealed,
-        Refusal::Calibration(CalibrationError::Implausible),
+        Refusal::Calibration(CalibrationError::SamplesLost),
         Refusal::OtherPurpose,
         Refusal::Late,
     ]

@@ -66,6 +66,11 @@ impl Line {
         self.run_to(edge_ns + PERIOD_NS - 100_000);
     }
 
+    /// Frames that the first motor got.
+    fn frames(&self) -> u64 {
+        self.board.peripherals.board().escs[0].frames
+    }
+
     /// Ticks so far, and the time of the latest, µs.
     fn ticks(&self) -> (u32, u64) {
         let word = |at: u32| {
@@ -111,5 +116,38 @@ fn noise_between_two_edges_is_no_tick() {
             (time_then_us - time_us).abs_diff(2 * PERIOD_NS / 1000) <= 4,
             "noise {noise_us} µs after the edge"
         );
+    }
+}
+
+/// However fast the line rings, a tick comes no sooner than an edge of the gyro's might, and each has its motor frames; when it
+/// is over there is a tick a period again.
+#[test]
+fn a_line_that_rings_starts_a_tick_when_an_edge_may_come() {
+    const PERIODS: u32 = 80;
+    let mut line = Line::new(Timing::Pessimistic);
+    for ringing_ns in [10_000, 5_000, 2_000, 1_000, 700] {
+        let (ticks, _) = line.ticks();
+        let frames = line.frames();
+        let (from_ns, memory) = (line.ns + PERIOD_NS / 2, &mut line.board.memory);
+        line.board.peripherals.ring_data_ready(memory, from_ns, Some(ringing_ns));
+        for _ in 0..PERIODS {
+            line.period(None);
+        }
+        line.board.peripherals.ring_data_ready(&mut line.board.memory, from_ns, None);
+        let ringing_ticks = line.ticks().0 - ticks;
+        println!("{ringing_ns} ns: {ringing_ticks} ticks in {PERIODS} periods");
+        // 85 % of a period that is taken for 5 % shorter than it is.
+        assert!((PERIODS..=PERIODS * 100 / 80).contains(&ringing_ticks), "{ringing_ns} ns: {ringing_ticks}");
+        assert!(line.frames().abs_diff(frames + u64::from(ringing_ticks)) <= 1, "{ringing_ns} ns");
+        // The period is learned again.
+        for _ in 0..20 {
+            line.period(None);
+        }
+        let (ticks, _) = line.ticks();
+        for _ in 0..PERIODS {
+            line.period(None);
+        }
+        assert_eq!(line.ticks().0 - ticks, PERIODS, "{ringing_ns} ns");
+        assert_eq!(line.board.memory.bugs, []);
     }
 }

@@ -5,9 +5,10 @@ mod bench;
 use std::cell::Cell;
 use std::rc::Rc;
 
+use bench::stopping::{Stopped, stopped};
 use bench::{Bench, Board, wake};
 use emulator::chip::clock::Rates;
-use mintime::flight::Phase;
+use mintime::flight::{Phase, VirtualVehicle};
 use mintime_shared::messages::FlightState;
 
 /// Into the hover of each flight that breaks there, ms.
@@ -61,6 +62,86 @@ fn locked_up(board: &mut Board) -> Option<(f64, bool)> {
         }
     }
     None
+}
+
+/// Valid frames that each speed controller has had.
+fn frames(board: &Board) -> [u64; 4] {
+    board.peripherals.board().escs.each_ref().map(|esc| esc.frames)
+}
+
+/// Breaks a copy of the vehicle every ten microseconds of a tick, and sees how it stops and how many frames it sends
+/// meanwhile.
+fn broken_at_each_moment(
+    vehicle: &VirtualVehicle,
+    act: impl Fn(&mut Board),
+    mut check: impl FnMut(u64, Stopped, [u64; 4]),
+) {
+    /// A frame and its empty bits.
+    const FRAME_US: u64 = 30;
+    const STEP_US: u64 = 10;
+    let mut stretched = 0;
+    for moment_us in (0..1250).step_by(STEP_US as usize) {
+        let mut vehicle = vehicle.fork();
+        let moment_ns = vehicle.now_ns() + moment_us * 1000;
+        vehicle.advance_to(moment_ns).expect("time goes on");
+        let board = vehicle.machine_mut();
+        let before = frames(board);
+        act(board);
+        let seen = stopped(&mut vehicle);
+        let after = frames(vehicle.machine_mut());
+        let bugs = vehicle.report().bugs;
+        assert!(bugs.iter().all(|bug| bug.contains("no rate of DShot")), "{moment_us} µs: {bugs:?}");
+        stretched += u64::from(!bugs.is_empty());
+        check(moment_us, seen, std::array::from_fn(|motor| after[motor] - before[motor]));
+    }
+    // While a frame was on the wire: its bit is stretched.
+    assert!(stretched <= FRAME_US.div_ceil(STEP_US), "{stretched} moments");
+}
+
+/// The chip goes on with its internal oscillator, ten times too slow, and the firmware brings it back to speed by that:
+/// wherever in a tick it happens each speed controller gets its four stop frames, and no frame besides.
+#[test]
+fn a_crystal_that_stops_at_any_moment_stops_the_motors_within_a_millisecond() {
+    let mut bench = Bench::real(6).then(Phase::Hover, IN_HOVER_MS, |vehicle| {
+        let mut latest_ms = [0.0_f64; 3];
+        broken_at_each_moment(vehicle, lose_crystal, |moment_us, seen, frames| {
+            assert!(seen.told_ms.is_some_and(|ms| ms < 0.5), "{moment_us} µs: {seen:?}");
+            assert!(seen.reset_ms.is_some_and(|ms| ms < 1.0), "{moment_us} µs: {seen:?}");
+            assert!(seen.low_ms.is_some_and(|ms| ms < 1.0), "{moment_us} µs: {seen:?}");
+            assert_eq!(frames, [4; 4], "{moment_us} µs");
+            for (latest, ms) in latest_ms.iter_mut().zip([seen.told_ms, seen.reset_ms, seen.low_ms]) {
+                *latest = latest.max(ms.unwrap_or(f64::NAN));
+            }
+        });
+        println!("crystal: told, reset, low after {latest_ms:.2?} ms at the latest");
+        lose_crystal(vehicle.machine_mut());
+        stopped(vehicle);
+        // It comes back, or nobody would hear of the vehicle again.
+        let board = vehicle.machine_mut();
+        board.peripherals.fail_crystal(&mut board.memory, board.core.cycle, false);
+    });
+    assert_eq!(bench.assert_lost().0, FlightState::Boot);
+    bench.assert_is_back("Software", &["ClockLost"]);
+}
+
+fn lose_crystal(board: &mut Board) {
+    board.peripherals.fail_crystal(&mut board.memory, board.core.cycle, true);
+}
+
+/// Nothing brings the chip back to speed: the lines are low all the same, and no frame comes at a rate that is none.
+#[test]
+fn a_crystal_and_a_pll_that_are_lost_leave_low_lines() {
+    let mut bench = Bench::real(6).then(Phase::Hover, IN_HOVER_MS, |vehicle| {
+        let lose_both = |board: &mut Board| {
+            board.peripherals.set_pll_dead(true);
+            lose_crystal(board);
+        };
+        broken_at_each_moment(vehicle, lose_both, |moment_us, seen, frames| {
+            assert!(seen.low_ms.is_some_and(|ms| ms < 5.0), "{moment_us} µs: {seen:?}");
+            assert_eq!(frames, [0; 4], "{moment_us} µs");
+        });
+    });
+    bench.assert_flies();
 }
 
 /// What the manual does not say of a timer's requests for DMA: whether one outlives its enable bit, and whether enabling them

@@ -222,6 +222,7 @@ fn every_variant_stands_under_its_number() {
         C::Wobble,
         C::BiasDrift,
         C::Implausible,
+        C::SamplesLost,
     ];
     all_are_listed("### Calibration errors", &calibration);
     use SettingsError as S;

@@ -3,7 +3,7 @@
 
 mod logic;
 
-use logic::{BOTH, Bench, HOVER, Store, bytes_of, chunk, status, table, table_of};
+use logic::{BOTH, Bench, HOVER, Store, TICK_US, bytes_of, chunk, status, table, table_of};
 use mintime_firmware::config::{BoardStatus, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::{FlightLogic, Inbox};
 use mintime_firmware::keeping::Key;
@@ -237,6 +237,26 @@ fn guided_turns_belong_to_their_request() {
     assert_eq!(reply, Reply::Refused(Refusal::Calibration(CalibrationError::NotTurned)));
     assert_eq!(bench.ask(turns), Reply::Pending);
     assert_eq!(bench.ask(Request::CalibrateScale { axis: 2, turns: 0 }), Reply::Done);
+}
+
+/// The angle that passes while the gyro is silent is nobody's guess; a sample or two that are lost cost nothing.
+#[test]
+fn a_gyro_that_falls_silent_ends_guided_turns() {
+    let lost = Reply::Refused(Refusal::Calibration(CalibrationError::SamplesLost));
+    for (silent_ticks, expected) in [(6, Reply::Pending), (10, lost)] {
+        let mut bench = Bench::ready();
+        let turns = Request::CalibrateScale { axis: 2, turns: 1 };
+        assert_eq!(bench.ask(turns.clone()), Reply::Pending);
+        let number = bench.number;
+        bench.run(900);
+        for tick in 0..400 {
+            let mut sample = bench.sample();
+            sample.gyro_radps[2] += 2.0;
+            let seen = Some(sample).filter(|_| !(200..200 + silent_ticks).contains(&tick));
+            bench.tick_with(seen, TICK_US, &[]);
+        }
+        assert_eq!(ask_as(&mut bench, number, turns), expected, "{silent_ticks} ticks");
+    }
 }
 
 /// A job that the board has not taken yet keeps the motors off as well as one that it works on.

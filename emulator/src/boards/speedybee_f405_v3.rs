@@ -49,7 +49,15 @@ pub struct SpeedyBeeF405V3 {
     pub crystal_hz: u32,
     led_driven_low: bool,
     ready_level: Option<bool>,
+    ringing: Option<Ringing>,
     updates: VecDeque<MotorUpdate>,
+}
+
+/// Edges on the data-ready line that nobody meant.
+#[derive(Clone, Copy, Debug)]
+struct Ringing {
+    period_ns: u64,
+    next_ns: u64,
 }
 
 /// What a motor does.
@@ -89,6 +97,7 @@ impl SpeedyBeeF405V3 {
             crystal_hz: 8_000_000,
             led_driven_low: false,
             ready_level: None,
+            ringing: None,
             updates: VecDeque::with_capacity(MOST_UPDATES),
         }
     }
@@ -109,6 +118,14 @@ impl SpeedyBeeF405V3 {
     /// Takes the frames that came since the last call, in order.
     pub fn drain_motor_updates(&mut self) -> impl Iterator<Item = MotorUpdate> + '_ {
         self.updates.drain(..)
+    }
+
+    /// Lets the data-ready line rise once more where it rings; it then rests where the gyro holds it.
+    fn ring(&mut self, ns: u64, effects: &mut Effects) {
+        let Some(ringing) = self.ringing.as_mut().filter(|ringing| ringing.next_ns <= ns) else { return };
+        ringing.next_ns = ns + ringing.period_ns;
+        let levels = [Some(false), Some(true), self.ready_level];
+        effects.levels.extend(levels.map(|level| (GYRO_READY, level)));
     }
 
     /// Passes a change of the data-ready line on to the chip.
@@ -178,7 +195,8 @@ impl Board for SpeedyBeeF405V3 {
 
     fn next_event_ns(&self) -> u64 {
         let receiver_ns = self.receiver.as_ref().map_or(u64::MAX, CrsfReceiver::next_event_ns);
-        self.gyro.next_event_ns().min(receiver_ns)
+        let ringing_ns = self.ringing.map_or(u64::MAX, |ringing| ringing.next_ns);
+        self.gyro.next_event_ns().min(receiver_ns).min(ringing_ns)
     }
 
     fn advance(&mut self, ns: u64, effects: &mut Effects) {
@@ -186,6 +204,7 @@ impl Board for SpeedyBeeF405V3 {
             self.latency.edge(edge_ns);
         }
         self.follow_ready(effects);
+        self.ring(ns, effects);
         if let Some(bytes) = self.receiver.as_mut().and_then(|receiver| receiver.advance(ns)) {
             effects.serial.push((RECEIVER, CRSF_BAUD, bytes));
         }
@@ -208,6 +227,12 @@ impl Chip<SpeedyBeeF405V3> {
     /// Plugs a radio receiver in, or pulls it out.
     pub fn set_receiver(&mut self, memory: &mut Memory, receiver: Option<CrsfReceiver>) {
         self.with_board(memory, |board, _| board.receiver = receiver);
+    }
+
+    /// Lets the data-ready line ring from `ns` on, a rising edge every `period_ns` besides the gyro's own; `None` ends it.
+    pub fn ring_data_ready(&mut self, memory: &mut Memory, ns: u64, period_ns: Option<u64>) {
+        let ringing = period_ns.map(|period_ns| Ringing { period_ns: period_ns.max(1), next_ns: ns });
+        self.with_board(memory, |board, _| board.ringing = ringing);
     }
 
     /// Bytes that the host sends over the link, from `ns` on, back to back.

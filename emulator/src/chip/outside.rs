@@ -145,10 +145,10 @@ impl<B: Board> Chip<B> {
         self.flash.slowness = slowness;
     }
 
-    /// Stops the crystal (or lets it run again). With the clock monitor on, the chip goes on with its internal
-    /// oscillator and [`Self::nmi`] rises.
-    pub fn fail_crystal(&mut self, memory: &mut Memory, dead: bool) {
-        let at = self.now;
+    /// Stops the crystal (or lets it run again) at `at`, where the core stands: what came before keeps its rate. With the
+    /// clock monitor on, the chip goes on with its internal oscillator and [`Self::nmi`] rises.
+    pub fn fail_crystal(&mut self, memory: &mut Memory, at: Cycle, dead: bool) {
+        self.catch_up(memory, at);
         let done = self.rcc.fail_crystal(dead);
         if let Some(text) = done.bug {
             memory.report(at, 0, text.into());
@@ -156,6 +156,11 @@ impl<B: Board> Chip<B> {
         if done.clocks {
             self.change_clocks(memory, at, 0);
         }
+    }
+
+    /// Lets the PLL lock no more once it has been switched off, or lock again.
+    pub fn set_pll_dead(&mut self, dead: bool) {
+        self.rcc.pll_dead = dead;
     }
 
     /// The line of the non-maskable interrupt: up from the loss of the crystal until RCC_CIR.CSSC clears it.

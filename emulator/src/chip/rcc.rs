@@ -1,7 +1,7 @@
 //! Reset and clock control (RM0090 section 7).
 
 use super::clock::{HSI_HZ, Rates};
-use crate::bus::Cycle;
+use crate::bus::{Cycle, NEVER};
 
 /// Start-up times (ns) (DS8626, oscillator and PLL characteristics; typical, the PLL's the longest).
 const HSI_START_NS: u64 = 2_200;
@@ -69,6 +69,8 @@ pub(crate) struct Rcc {
     css_flag: bool,
     /// The crystal has stopped.
     hse_dead: bool,
+    /// The PLL locks no more.
+    pub(crate) pll_dead: bool,
     pllcfgr: u32,
     cfgr: u32,
     interrupts: u32,
@@ -109,6 +111,7 @@ impl Rcc {
             css: false,
             css_flag: false,
             hse_dead: false,
+            pll_dead: false,
             pllcfgr: 0x2400_3010,
             cfgr: 0,
             interrupts: 0,
@@ -121,9 +124,9 @@ impl Rcc {
 
     /// A system reset for the reason `cause` (bits of CSR): the backup domain and the causes stay.
     pub(crate) fn system_reset(&mut self, cause: u32) {
-        let kept = (self.bdcr, self.lse, self.flags, self.hse_dead);
+        let kept = (self.bdcr, self.lse, self.flags, self.hse_dead, self.pll_dead);
         *self = Self::new();
-        (self.bdcr, self.lse, self.flags, self.hse_dead) = kept;
+        (self.bdcr, self.lse, self.flags, self.hse_dead, self.pll_dead) = kept;
         self.flags |= cause | CSR_PINRSTF;
     }
 
@@ -311,7 +314,8 @@ impl Rcc {
         if value & CR_PLLON != 0 && !self.pll.on && !pll_source_on {
             done.bug = Some("the PLL is switched on before its source is ready");
         }
-        self.pll.switch(value & CR_PLLON != 0 || status == 2, after(PLL_LOCK_NS));
+        let locked_at = if self.pll_dead { NEVER } else { after(PLL_LOCK_NS) };
+        self.pll.switch(value & CR_PLLON != 0 || status == 2, locked_at);
         self.plli2s.switch(value & CR_PLLI2SON != 0, after(PLL_LOCK_NS));
         self.trim = value & 0xF8;
         self.bypass = value >> 18 & 1 == 1;

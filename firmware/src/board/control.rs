@@ -8,7 +8,7 @@
 //! ones keep their times: the flight logic takes time from the clock, never from counting ticks.
 
 use core::cell::Cell;
-use core::sync::atomic::{AtomicU32, Ordering, compiler_fence};
+use core::sync::atomic::{AtomicU32, Ordering};
 
 use cortex_m::peripheral::DWT;
 use embassy_stm32::interrupt;
@@ -77,6 +77,8 @@ struct Control {
     arming_frames: u32,
     pacer: Pacer,
     late_timer: LateTimer,
+    /// The data-ready line is closed since the last edge.
+    deaf: bool,
     /// The cycle counter at the edge that the frame under way answers.
     answered_edge: Option<u32>,
     motors_on: bool,
@@ -127,6 +129,7 @@ pub(super) fn start(
         arming_frames: 0,
         pacer: Pacer::new(now_us),
         late_timer,
+        deaf: false,
         answered_edge: None,
         motors_on: false,
         measured: BoardTelemetry::default(),
@@ -155,7 +158,7 @@ unsafe fn I2C3_ER() {
     with_control(Control::edge);
 }
 
-/// The edge stays away.
+/// The next edge may come, or it stays away.
 #[allow(unsafe_code)]
 #[interrupt]
 unsafe fn TIM7() {
@@ -171,14 +174,10 @@ fn with_control(run: impl FnOnce(&mut Control)) {
 
 impl Control {
     fn edge(&mut self) {
-        // In this order, for another edge may interrupt here and stamp itself: no stamp is later than the time it is
-        // compared with.
+        self.deaf = true;
         let edge = tick_source::edge_cycles();
-        compiler_fence(Ordering::SeqCst);
         let begin = DWT::cycle_count();
-        // And were one later, it would be new, not as old as the counter can tell.
-        let age = begin.wrapping_sub(edge).cast_signed().max(0).cast_unsigned();
-        let age_us = u64::from(age / CORE_MHZ);
+        let age_us = u64::from(begin.wrapping_sub(edge) / CORE_MHZ);
         let at_us = Instant::now().as_micros().saturating_sub(age_us);
         if let Some(now_us) = self.pacer.edge(at_us) {
             self.finish_frame();
@@ -196,7 +195,13 @@ impl Control {
     fn timer(&mut self) {
         let begin = DWT::cycle_count();
         self.late_timer.clear();
-        if let Some(now_us) = self.pacer.timer(Instant::now().as_micros()) {
+        let now_us = Instant::now().as_micros();
+        if self.deaf {
+            if self.pacer.deaf_us(now_us) == 0 {
+                self.deaf = false;
+                self.pacer.note_noise(tick_source::listen());
+            }
+        } else if let Some(now_us) = self.pacer.timer(now_us) {
             self.finish_frame();
             self.tick(now_us, None, None);
             self.keep_run_time(begin);
@@ -399,11 +404,13 @@ impl Control {
         self.measured.tick_max_ns = self.measured.tick_max_ns.max(run_ns);
     }
 
-    /// Sets the timer for the tick that runs if no edge comes first. A microsecond more, for a clock that counts whole
-    /// ones may still show the one before.
+    /// Sets the timer for when the line is opened, or else for the tick that runs if no edge comes first. A microsecond more,
+    /// for a clock that counts whole ones may still show the one before.
+    #[inline(never)]
     fn arm_timer(&mut self) {
         let now_us = Instant::now().as_micros();
-        self.late_timer.arm(self.pacer.delay_us(now_us).saturating_add(1));
+        let delay_us = if self.deaf { self.pacer.deaf_us(now_us) } else { self.pacer.delay_us(now_us) };
+        self.late_timer.arm(delay_us.saturating_add(1));
     }
 }
 

@@ -45,8 +45,6 @@ const CYCLES_PER_COUNT: u32 = CORE_MHZ / TIMER_MHZ as u32;
 const WAIT_COUNTS: u16 = MOTOR_START_US as u16 * TIMER_MHZ;
 /// The wait can begin here at the latest.
 const LAST_COUNT: u16 = WAIT_COUNTS - 2;
-/// Polls for the stream to let go when it is switched off: it finishes the word it has in hand.
-const STOP_POLLS: u32 = 200;
 
 /// What the stream reads, bit by bit, motor by motor. In main RAM: DMA cannot reach the core-coupled memory. Atomics,
 /// because somebody else reads them.
@@ -138,13 +136,7 @@ impl Motors {
     /// Ends whatever the stream and the timer are doing; the lines are low then.
     fn take_back(&mut self) {
         MOTOR_TIMER.dier().write(|_| {});
-        let stream = DMA1.st(MOTOR_DMA_STREAM);
-        stream.cr().modify(|w| w.set_en(false));
-        for _ in 0..STOP_POLLS {
-            if !stream.cr().read().en() {
-                break;
-            }
-        }
+        motors::stop_stream();
         // A reset of the timer forgets a request that nobody served. The lines are pulled down meanwhile.
         set_up_timer();
     }

@@ -33,16 +33,16 @@
 //! |---|---|
 //! | TIM4 | motors |
 //! | TIM5 | the clock and all waits (the HAL's time driver) |
-//! | TIM7 | the control tick where the gyro's edge stays away |
+//! | TIM7 | opens the gyro's data-ready line for the next edge; the control tick where that stays away |
 //!
 //! # Interrupt priorities (0 is the most urgent)
 //!
 //! | priority | interrupt | why |
 //! |---|---|---|
-//! | 0 | EXTI4: gyro data ready | stamps the edge; no critical section masks it |
+//! | 0 | EXTI4: gyro data ready | stamps the edge and closes its line; no critical section masks it |
 //! | 0 | PVD: the chip's supply falls | ends the run while the chip still works |
 //! | 0 | DMA1 stream 6: motor frame done | must stop the timer within a bit, 1.67 µs |
-//! | 1 | I2C3_ER, pended by software: control tick; TIM7: the same without a sample | above everything that serves the link |
+//! | 1 | I2C3_ER, pended by software: control tick; TIM7: the same without a sample, and the gyro's line opened | above everything that serves the link |
 //! | 2 | TIM5 | wakes tasks; must not lag by 32 ms |
 //! | 6 | USART1, DMA2 stream 7: sending | the link may wait for a tick; receiving needs no interrupt |
 //! | thread | link tasks, supervision, set-up of the gyro | never urgent |
@@ -261,6 +261,9 @@ pub(super) fn clocks() -> embassy_stm32::Config {
     config.enable_debug_during_sleep = true;
     config
 }
+
+/// Makes 2 MHz for the PLL of the internal oscillator's 16, as `clocks` does of the crystal's 8.
+pub(super) const PREDIV_OF_INTERNAL_OSCILLATOR: PllPreDiv = PllPreDiv::DIV8;
 
 /// Gives every interrupt in use its priority; whatever is left out would have the highest.
 pub(super) fn set_priorities() {

@@ -4,14 +4,17 @@ use embassy_stm32::pac;
 use embassy_stm32::pac::gpio::vals::{Moder, Ospeedr, Ot, Pupdr};
 use mintime_firmware::dshot::{BIT_COUNTS, FRAME_BITS, ZERO_COUNTS};
 
+use super::core_setup;
 use super::facts::{MOTOR_ALTERNATE_FUNCTION, MOTOR_DMA_STREAM, MOTOR_PINS, MOTOR_PORT, MOTOR_TIMER};
 
 /// Frames that tell the motors to stop, on the way down.
 const STOP_FRAMES: u32 = 4;
 /// Empty bits before each, 67 µs: what was cut short must be over for the speed controllers.
 const GAP_BITS: u32 = 40;
-/// Polls for one bit. It lasts 280 cycles of the processor, whatever the clock, and a poll at least 6.
-const BIT_POLLS: u32 = 200;
+/// Polls for one bit. It lasts 280 cycles of the processor, and a poll at least 6.
+const BIT_POLLS: u32 = 100;
+/// Polls for the stream to let go when it is switched off: it finishes the word it has in hand.
+const STREAM_POLLS: u32 = 200;
 
 /// Drives all four motor pins low as plain outputs, whatever owned them before.
 ///
@@ -43,25 +46,45 @@ pub(super) fn connect() {
 /// The end of every run: tells the motors to stop, then holds the lines low.
 ///
 /// Without the stop frames a speed controller would hold its last throttle until it misses the signal, up to half a
-/// second. They take 0.4 ms, with interrupts off, by registers only and with every wait bounded. On the way from a lost
-/// crystal the bit rate is wrong and nobody listens; then the low line has to do.
+/// second. They take 0.4 ms, with interrupts off, by registers only and with every wait bounded. Where the crystal is lost
+/// the lines are low while the chip gets back to speed, 0.2 ms; should it not, they stay low, for a frame at a wrong rate is
+/// none.
 pub(super) fn shut_down() {
     // In this order: a peripheral without its clock must not be touched.
     if pac::RCC.ahb1enr().read().gpioben()
         && pac::RCC.apb1enr().read().tim4en()
         && MOTOR_PINS.iter().all(|pin| MOTOR_PORT.moder().read().moder(*pin) == Moder::ALTERNATE)
     {
-        send_stop_frames();
+        cut_frame();
+        if core_setup::recover_clock() {
+            send_stop_frames();
+        }
     }
     force_low();
 }
 
-fn send_stop_frames() {
+/// Ends what the timer and its stream are doing; the timer holds the lines low.
+fn cut_frame() {
     MOTOR_TIMER.dier().write(|_| {});
-    pac::DMA1.st(MOTOR_DMA_STREAM).cr().modify(|w| w.set_en(false));
+    stop_stream();
     set_pulse(0);
-    // Where a frame was waiting for its time the counter's present round is longer; the gap leaves room for it.
     MOTOR_TIMER.arr().write(|w| w.set_arr(BIT_COUNTS - 1));
+    // The values hold at once, and a round that was a frame's wait is over.
+    MOTOR_TIMER.egr().write(|w| w.set_ug(true));
+}
+
+/// Switches the stream off and waits until it has let go.
+pub(super) fn stop_stream() {
+    let stream = pac::DMA1.st(MOTOR_DMA_STREAM);
+    stream.cr().modify(|w| w.set_en(false));
+    for _ in 0..STREAM_POLLS {
+        if !stream.cr().read().en() {
+            break;
+        }
+    }
+}
+
+fn send_stop_frames() {
     MOTOR_TIMER.cr1().write(|w| {
         w.set_arpe(true);
         w.set_cen(true);

@@ -41,6 +41,9 @@ pub const SCALE_TURNS_MAX: u8 = 4;
 pub const SCALE_ERROR_MAX: f32 = 0.05;
 /// Longest time from the first motion to rest, s: bias that drifts by 0.1 mrad/s meanwhile costs 1.5 mrad.
 pub const SCALE_TURNING_MAX_S: f32 = 30.0;
+/// Longest gap between two samples of a turn, s: the mean of the rates at its ends stands for those in between, which of a
+/// hand whose rate swings by 1 rad/s five times a second is off by 0.1 mrad.
+pub const SCALE_GAP_MAX_S: f32 = 0.010;
 /// Longest wait for a vehicle at rest before it is turned, and for the turn to begin, s.
 pub const SCALE_WAITING_MAX_S: f32 = 20.0;
 /// Angle that is motion, rad; in the wrong sense it is the wrong direction.

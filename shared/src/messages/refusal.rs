@@ -140,4 +140,7 @@ pub enum CalibrationError {
     /// The scale is off by more than a working gyro's.
     #[error("the scale is off by more than 5 %: check the number of turns and that it ends as it began")]
     Implausible,
+    /// The gyro gave no samples for a while.
+    #[error("the gyro fell silent during the turns: check its wiring and power, and begin again")]
+    SamplesLost,
 }

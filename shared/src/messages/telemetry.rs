@@ -139,7 +139,7 @@ pub struct BoardTelemetry {
     pub motor_errors: u32,
     /// Data-ready edges whose sample could not be read or was no measurement, since power-up.
     pub gyro_errors: u32,
-    /// Data-ready edges that came too soon after the one before, since power-up.
+    /// Periods in which data-ready edges came too soon after the one before, since power-up.
     pub spurious_edges: u32,
 }
 

@@ -90,7 +90,7 @@ pub struct VirtualVehicle {
     last_bit: f64,
     /// The firmware has cleared its memory, so that what it notes means something.
     booted: bool,
-    /// States that ticks ended in, where they changed, with when, ns.
+    /// States that ticks ended in, where they changed or the firmware started anew, with when, ns.
     states: Vec<(u64, FlightState)>,
 }
 
@@ -287,8 +287,11 @@ impl VirtualVehicle {
             let lines = self.decoder.decode(&logged);
             self.log.extend(lines.lines().map(|line| (now_ns, line.to_owned())));
         }
-        let state = FlightState::from_index(self.watch.state).unwrap_or_default();
-        if self.watch.ticks != before && self.states.last().is_none_or(|(_, last)| *last != state) {
+        // A start clears it word by word.
+        let restarted = self.watch.ticks < before;
+        let state = FlightState::from_index(self.watch.state).filter(|_| !restarted).unwrap_or_default();
+        let changed = self.watch.ticks != before && self.states.last().is_none_or(|(_, last)| *last != state);
+        if changed || restarted {
             self.states.push((now_ns, state));
         }
         let setpoint = self.watch.output().setpoint;

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test binary uses a part")]
 
 pub(crate) mod log;
+pub(crate) mod stopping;
 
 use std::hash::Hasher;
 use std::sync::{Arc, Mutex, OnceLock};

@@ -1,15 +1,19 @@
 //! One row of the fault table: a fault, a phase, and how that ends.
 
 mod fault;
+mod phase;
 mod rig;
+mod sabotage;
+mod store;
 
 pub(crate) use fault::Fault;
-pub(crate) use rig::Phase;
+pub(crate) use phase::Phase;
 
 use mintime_shared::messages::{
     ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Refusal, Reply, Request, Telemetry,
 };
-use rig::{Host, MS, Rig};
+use rig::{GROUND_M, Host, MS, Rig};
+use store::KEPT_SETTINGS;
 
 /// Watched for this long beyond the longest bound, ms.
 const BEYOND_MS: u64 = 150;
@@ -61,7 +65,7 @@ impl Row {
         let mut kept = None;
         let broken_ns = match self.fault.cuts_store() {
             Some(in_erase) => {
-                kept = Some(fault::cut_store(&mut rig, in_erase));
+                kept = Some(store::cut_store(&mut rig, in_erase));
                 rig.vehicle.now_ns()
             }
             None => self.fault.inject(&mut rig),
@@ -105,7 +109,7 @@ impl Row {
         assert_eq!(told(&telemetry).as_deref(), self.told, "{telemetry:?}");
         self.assert_struck(&telemetry);
         if let Some(kept) = kept {
-            fault::check_store(&mut rig, kept);
+            store::check_store(&mut rig, kept);
         }
         if self.ends_in.motors_on() {
             self.fault.mend(&mut rig);
@@ -114,6 +118,7 @@ impl Row {
         } else {
             self.check_stays_off(&mut rig, &telemetry);
         }
+        self.assert_stayed(&mut rig);
         let bugs = rig.bugs();
         let expected = |bug: &String| self.fault.expected_bug().is_some_and(|part| bug.contains(part));
         // Whatever ends a run may cut the frame that is on the wire; its checksum tells the speed controller.
@@ -127,10 +132,12 @@ impl Row {
         let board = telemetry.board.expect("a board");
         let struck = match self.fault {
             Fault::NoisyEdges => board.spurious_edges > 20,
+            // A period counts once.
+            Fault::Ringing10 | Fault::Ringing5 | Fault::Ringing1 => board.spurious_edges > 200,
             Fault::FlippedBits | Fault::LostBytes | Fault::LineNoise => telemetry.link_errors > 10,
             Fault::BusLoose => telemetry.missing_samples > 20,
             Fault::BusLow if self.phase == Phase::Disarmed => telemetry.missing_samples > 100,
-            Fault::GyroSilent if self.phase == Phase::Disarmed => {
+            Fault::GyroSilent if !self.phase.state().motors_on() => {
                 ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_SILENT)
             }
             Fault::GyroFrozenLong => ArmingBlock(telemetry.arming_block).contains(ArmingBlock::GYRO_FROZEN),
@@ -141,10 +148,26 @@ impl Row {
             Fault::SenseLost => telemetry.battery_v == 0.0,
             Fault::BatterySag => (10.0..12.4).contains(&telemetry.battery_v),
             Fault::Stall => telemetry.worst_interval_us > 10_000,
-            Fault::KillPressed if self.phase == Phase::Disarmed => telemetry.kill == KillSwitch::Stop,
+            Fault::KillPressed if !self.phase.state().motors_on() => telemetry.kill == KillSwitch::Stop,
+            Fault::RadioNoisy if !self.phase.state().motors_on() => telemetry.kill == KillSwitch::Lost,
             _ => true,
         };
         assert!(struck, "{telemetry:?}");
+    }
+
+    /// What must not change whatever breaks: a vehicle on the bench stays on it, and a calibration that nobody has concluded
+    /// sets nothing.
+    fn assert_stayed(&self, rig: &mut Rig) {
+        match self.phase {
+            Phase::Bench => {
+                let height_m = rig.vehicle.simulator_mut().truth().position_m[2] - GROUND_M;
+                assert!(height_m.abs() < 0.01, "{height_m} m");
+            }
+            Phase::Turned => {
+                assert_eq!(rig.ask(Request::ReadSettings), Ok(Reply::Settings(KEPT_SETTINGS)));
+            }
+            _ => {}
+        }
     }
 
     /// Nobody but a person starts the motors again, mended or not, whatever a host streams.
@@ -182,6 +205,13 @@ impl Row {
         }
         if let Some(acknowledge) = acknowledge {
             assert_eq!(rig.ask(acknowledge), Ok(Reply::Done));
+            if self.phase == Phase::Terminated && self.told != Some("EmergencyStop") {
+                // What it was stopped for waits behind what came then.
+                let earlier = rig.status();
+                assert_eq!(told(&earlier).as_deref(), Some("EmergencyStop"), "{earlier:?}");
+                let incident = earlier.incident.map_or(0, |incident| incident.number);
+                assert_eq!(rig.ask(Request::Acknowledge { incident }), Ok(Reply::Done));
+            }
             assert_eq!(rig.status().incident, None);
             rig.pass_ms(50);
         }

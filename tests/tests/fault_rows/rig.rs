@@ -1,6 +1,6 @@
 //! A virtual vehicle with a small host, brought into each phase once and forked from there.
 
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex};
 
 use emulator::boards::MotorUpdate;
 use emulator::core::Timing;
@@ -8,79 +8,26 @@ use mintime::flight::{
     Calmness, Client, ClientError, Connection, ConnectionError, Estimator, Line, Reference, Scene,
     VirtualVehicle, control,
 };
-use mintime_shared::messages::{FlightState, Purpose, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Telemetry};
-use mintime_shared::table::{LinkPolicy, MAX_TABLE_BYTES, ManeuverTable};
-use mintime_shared::vehicle::VehicleConfig;
+use mintime_shared::messages::{FlightState, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Telemetry};
+use mintime_shared::model::GRAVITY_MPS2;
+use mintime_shared::table::ManeuverTable;
 use mintime_simulator::VehicleParameters;
 use mintime_tests::reference_cases;
 use nalgebra::Vector3;
 
-use super::fault::KEPT_SETTINGS;
 use crate::bench::{Board, image};
 
 pub(crate) const MS: u64 = 1_000_000;
 /// The ground, m below the start.
-const GROUND_M: f64 = -1.5;
-/// Height over the ground of the low hover, m.
-const LOW_M: f64 = 0.2;
-/// Speed of the climb to it, m/s.
-const CLIMB_MPS: f64 = 0.8;
+pub(super) const GROUND_M: f64 = -1.5;
 /// A speed controller stops its motor after this long without a frame.
 const SIGNAL_TIMEOUT_NS: u64 = 100 * MS;
+/// Thrust is changed by this in a hop, m/s², ...
+const HOP_STEP_MPS2: f32 = 2.0;
+/// ... for so long in either direction.
+const HOP_PULSE_NS: u64 = 150 * MS;
 /// An answer takes no longer than this, ms: a write to flash and the start after a reset included.
 const ANSWER_MS: u64 = 3000;
-
-/// Where a fault strikes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Phase {
-    /// Ready to be armed.
-    Disarmed,
-    /// On the ground, idling.
-    Armed,
-    /// In the hover, 1.5 m above the ground.
-    Tracking,
-    /// The same, 0.2 m above the ground.
-    Low,
-    /// A tenth of a second into a maneuver.
-    Maneuver,
-    /// The same, by a table that wants the maneuver given up where the link is lost.
-    Abandon,
-    /// A tenth of a second after the setpoints stopped.
-    Recovery,
-    /// Down after a recovery.
-    Landed,
-    /// Stopped by its host while idling.
-    Terminated,
-}
-
-impl Phase {
-    /// As the document calls it.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Disarmed => "`Disarmed`",
-            Self::Armed => "`Armed`",
-            Self::Tracking => "`Tracking`",
-            Self::Low => "`Tracking`, 0.2 m up",
-            Self::Maneuver => "`Maneuver`",
-            Self::Abandon => "`Maneuver` with `Abandon`",
-            Self::Recovery => "`Recovery`",
-            Self::Landed => "`Landed`",
-            Self::Terminated => "`Terminated`",
-        }
-    }
-
-    pub(crate) fn state(self) -> FlightState {
-        match self {
-            Self::Disarmed => FlightState::Disarmed,
-            Self::Armed => FlightState::Armed,
-            Self::Tracking | Self::Low => FlightState::Tracking,
-            Self::Maneuver | Self::Abandon => FlightState::Maneuver,
-            Self::Recovery => FlightState::Recovery,
-            Self::Landed => FlightState::Landed,
-            Self::Terminated => FlightState::Terminated,
-        }
-    }
-}
 
 /// What the host does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +38,18 @@ pub(crate) enum Host {
     Beats,
     /// It holds the vehicle at the start.
     Flies,
+    /// The same, but for a hop that began then, ns: thrust open-loop, more and then less.
+    Hops(u64),
+}
+
+impl Host {
+    /// The thrust of a hop, where it is in one.
+    fn hop_mps2(self, now_ns: u64) -> Option<f32> {
+        let Self::Hops(began_ns) = self else { return None };
+        let half = now_ns.saturating_sub(began_ns) / HOP_PULSE_NS;
+        let step_mps2 = [HOP_STEP_MPS2, -HOP_STEP_MPS2].get(half as usize)?;
+        Some(GRAVITY_MPS2 as f32 + step_mps2)
+    }
 }
 
 /// What becomes of bytes on their way to the vehicle.
@@ -154,14 +113,14 @@ pub(crate) struct Rig {
     pub(crate) random: u64,
     symbols: Arc<Vec<(String, u32)>>,
     estimator: Estimator,
-    calmness: Calmness,
-    height_m: f64,
-    table: ManeuverTable,
+    pub(super) calmness: Calmness,
+    pub(super) height_m: f64,
+    pub(super) table: ManeuverTable,
     frames: Arc<Mutex<Vec<MotorUpdate>>>,
 }
 
 impl Rig {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let table =
             reference_cases().into_iter().find(|c| c.name == "horizontal_1").expect("the case").table();
         let scene = Scene {
@@ -189,7 +148,7 @@ impl Rig {
     }
 
     /// A copy that goes on by itself; motor frames are counted from now on.
-    fn fork(&self) -> Self {
+    pub(super) fn fork(&self) -> Self {
         let mut vehicle = self.vehicle.fork();
         let frames = Arc::new(Mutex::new(Vec::new()));
         let seen = Arc::clone(&frames);
@@ -203,112 +162,6 @@ impl Rig {
             frames,
             ..*self
         }
-    }
-
-    /// A fresh vehicle in this phase.
-    pub(crate) fn in_phase(phase: Phase) -> Self {
-        static PHASES: [OnceLock<Mutex<Rig>>; 9] = [const { OnceLock::new() }; 9];
-        let rig = PHASES[phase as usize].get_or_init(|| Mutex::new(Self::brought_into(phase)));
-        rig.lock().expect("nobody panics with it").fork()
-    }
-
-    fn brought_into(phase: Phase) -> Self {
-        let mut rig = match phase {
-            Phase::Disarmed => Self::new(),
-            Phase::Armed | Phase::Abandon => Self::in_phase(Phase::Disarmed),
-            Phase::Tracking => Self::in_phase(Phase::Armed),
-            Phase::Low | Phase::Maneuver | Phase::Recovery => Self::in_phase(Phase::Tracking),
-            Phase::Landed => Self::in_phase(Phase::Low),
-            Phase::Terminated => Self::in_phase(Phase::Armed),
-        };
-        rig.go_on(phase);
-        assert_eq!(rig.state(), phase.state());
-        assert_eq!(rig.bugs(), [""; 0]);
-        rig
-    }
-
-    /// From the phase before into this one.
-    fn go_on(&mut self, phase: Phase) {
-        match phase {
-            Phase::Disarmed => self.prepare(),
-            Phase::Armed => {
-                self.ask(Request::Arm(Purpose::Flight)).expect("nothing blocks arming");
-                self.pass_ms(300);
-            }
-            Phase::Tracking => {
-                self.host = Host::Flies;
-                let steps = (GROUND_M.abs() / CLIMB_MPS / 0.005) as u32;
-                for step in 0..steps {
-                    self.height_m = GROUND_M * (1.0 - f64::from(step) / f64::from(steps));
-                    if step == 100 {
-                        self.calmness = Calmness::Calm;
-                    }
-                    self.step();
-                }
-                self.height_m = 0.0;
-                self.pass_ms(1500);
-            }
-            Phase::Low => {
-                for step in 0..300_u32 {
-                    self.height_m = (GROUND_M + LOW_M) * f64::from(step) / 300.0;
-                    self.step();
-                }
-                self.pass_ms(700);
-            }
-            Phase::Maneuver => {
-                let checksum = self.table.checksum();
-                self.ask(Request::Trigger { checksum }).expect("a hover inside the gate");
-                self.calmness = Calmness::Agile;
-                self.pass_ms(100);
-            }
-            Phase::Abandon => {
-                self.table.link = LinkPolicy::Abandon;
-                self.commit();
-                for phase in [Phase::Armed, Phase::Tracking, Phase::Maneuver] {
-                    self.go_on(phase);
-                }
-            }
-            Phase::Recovery => {
-                self.host = Host::Beats;
-                self.pass_ms(200);
-            }
-            Phase::Landed => {
-                self.host = Host::Beats;
-                self.pass_ms(2500);
-            }
-            Phase::Terminated => {
-                self.ask(Request::EmergencyStop).expect("it stops");
-                self.pass_ms(300);
-            }
-        }
-    }
-
-    fn prepare(&mut self) {
-        self.pass_ms(100);
-        self.ask(Request::WriteVehicle(VehicleConfig::REFERENCE)).expect("it keeps what it is");
-        self.ask(Request::WriteSettings(KEPT_SETTINGS)).expect("it keeps how it is set");
-        self.commit();
-        let ready = |rig: &Self| rig.client.telemetry().is_some_and(|t| t.arming_block == 0);
-        for _ in 0..2000 {
-            if ready(self) {
-                break;
-            }
-            self.step();
-        }
-        assert!(ready(self), "{:?}", self.client.telemetry());
-    }
-
-    /// Uploads and commits its table.
-    fn commit(&mut self) {
-        let mut buffer = [0; MAX_TABLE_BYTES];
-        let length = self.table.encode(&mut buffer).expect("a table");
-        for (index, chunk) in buffer[..length].chunks(STAGE_CHUNK_BYTES).enumerate() {
-            let bytes = heapless::Vec::from_slice(chunk).expect("a chunk");
-            let (total, offset) = (length as u16, (index * STAGE_CHUNK_BYTES) as u16);
-            self.ask(Request::Stage { total, offset, bytes }).expect("staged");
-        }
-        let checksum = self.table.checksum();
-        self.ask(Request::CommitTable { checksum }).expect("committed");
     }
 
     /// The board.
@@ -362,13 +215,17 @@ impl Rig {
             act(self.vehicle.machine_mut());
         }
         self.spoil();
+        let hop_mps2 = self.host.hop_mps2(self.vehicle.now_ns());
         let mut wire = Wire { vehicle: &mut self.vehicle, damage: self.damage, random: &mut self.random };
         match self.host {
             Host::Silent => {}
             Host::Beats => self.client.heartbeat(&mut wire).expect("a line"),
-            Host::Flies => {
+            Host::Flies | Host::Hops(_) => {
                 let reference = Reference::hold(Vector3::new(0.0, 0.0, self.height_m), 0.0);
-                let setpoint = control(&estimate, &reference);
+                let mut setpoint = control(&estimate, &reference);
+                if let Some(thrust_mps2) = hop_mps2 {
+                    setpoint.thrust_mps2 = thrust_mps2;
+                }
                 self.client.stream(&mut wire, setpoint).expect("a line");
                 self.estimator.note_command(now_s, setpoint);
             }

@@ -61,6 +61,8 @@ pub enum Defect {
 pub struct Bmi270 {
     /// What is wrong with it, if anything.
     pub defect: Option<Defect>,
+    /// Rates of a hand that turns the board, on top of those given (rad/s).
+    pub hand_radps: [f64; 3],
     registers: [u8; 128],
     /// No more I²C.
     spi: bool,
@@ -105,6 +107,7 @@ impl Bmi270 {
     pub fn new() -> Self {
         Self {
             defect: None,
+            hand_radps: [0.0; 3],
             registers: reg::RESET,
             spi: false,
             selected: false,

@@ -91,8 +91,9 @@ impl Bmi270 {
         rose
     }
 
-    /// What the gyro makes of the rates where one of its axes is broken.
+    /// What the gyro makes of the rates where a hand turns it, or one of its axes is broken.
     fn disturbed(&self, mut rates_radps: [f64; 3]) -> [f64; 3] {
+        rates_radps.iter_mut().zip(self.hand_radps).for_each(|(rate, hand)| *rate += hand);
         match self.defect {
             Some(Defect::ReversedAxis(axis)) => {
                 rates_radps.iter_mut().skip(axis.into()).take(1).for_each(|rate| *rate = -*rate);
