@@ -141,7 +141,7 @@ impl<M: RecordMemory> FlightLogic<M> {
     /// Whether the vehicle stands in the air as the table's start wants it: its thrust axis and rates are all it knows of that.
     pub(crate) fn is_in_start_gate(&self, committed: &Committed) -> bool {
         let calm = self.gyro.rates_radps().iter().all(|rate| rate.abs() <= GATE_RATE_RADPS);
-        calm && self.attitude.is_known() && committed.gate.is_met(self.attitude.up_in_body())
+        calm && committed.gate.is_met(self.attitude.up_in_body())
     }
 
     /// Cosine of the tilt; `None` before the vehicle was seen at rest.

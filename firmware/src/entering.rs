@@ -29,10 +29,9 @@ impl<M: RecordMemory> FlightLogic<M> {
                 self.last_trigger = None;
                 self.last_sequence = None;
                 self.motor_test = None;
+                // A vehicle that flies is turned by nobody's hand.
+                self.turns = None;
                 self.lifted = false;
-                self.recording = false;
-                // Setpoints from before arming do not lift.
-                self.host_setpoint = None;
             }
             FlightState::Maneuver => {
                 self.rate.reset(self.gyro.rates_radps());
@@ -45,11 +44,12 @@ impl<M: RecordMemory> FlightLogic<M> {
                 let asked_mps2 = self.host_setpoint.map_or(0.0, |(setpoint, _)| setpoint.thrust_mps2);
                 self.recovery.start(asked_mps2, self.lifted);
             }
-            FlightState::Terminated => {
-                self.host_setpoint = None;
-                self.recording = false;
-            }
-            FlightState::Boot | FlightState::Calibrating | FlightState::Disarmed | FlightState::Landed => {
+            FlightState::Boot
+            | FlightState::Calibrating
+            | FlightState::Disarmed
+            | FlightState::Landed
+            | FlightState::Terminated => {
+                // Setpoints from before arming do not lift.
                 self.host_setpoint = None;
                 self.recording = false;
             }

@@ -63,7 +63,7 @@ impl Incidents {
 
     /// Whether it is the latest by which the supervisor stopped the motors.
     pub(crate) fn is_termination(&self, number: u16) -> bool {
-        number != 0 && number == self.terminated
+        number == self.terminated
     }
 
     /// Whether an incident of this number was there and waits no more.

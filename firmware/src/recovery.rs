@@ -54,7 +54,7 @@ impl Recovery {
     }
 
     /// What to fly until the next tick. `up` is the cosine of the tilt, `level_radps` the rates that right the vehicle,
-    /// `force_mps2` the specific force along its up axis where it is known.
+    /// `force_mps2` the specific force along its up axis where it is known, finite.
     #[inline(never)]
     pub(crate) fn command(
         &mut self,
@@ -75,7 +75,7 @@ impl Recovery {
         let (low, high) = RECOVERY_RANGE;
         if self.settles_s > 0.0 {
             self.settles_s -= dt_s;
-        } else if let Some(force) = force_mps2.filter(|f| f.is_finite()) {
+        } else if let Some(force) = force_mps2 {
             self.thrust_mps2 -= RECOVERY_GAIN_PER_S * dt_s * (force - Self::TARGET_MPS2);
             self.thrust_mps2 =
                 at_most(at_least(self.thrust_mps2, low * Self::TARGET_MPS2), high * Self::TARGET_MPS2);

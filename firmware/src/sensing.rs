@@ -39,7 +39,6 @@ impl<M: RecordMemory> FlightLogic<M> {
         self.attitude.update(self.gyro.rates_radps(), accel_mps2, dt_s, motion);
         if let Some(turns) = &mut self.turns
             && turns.found.is_none()
-            && !self.supervisor.state().motors_on()
         {
             turns.found = turns.under_way.update(imu.map(|imu| imu.gyro_radps), dt_s);
         }

@@ -4,7 +4,7 @@ use mintime_shared::messages::{FlightState, Purpose, Setpoint};
 use mintime_shared::model::GRAVITY_MPS2;
 use mintime_shared::real::{at_least, at_most};
 
-use crate::config::{CONTROL_STEP_MAX_S, LIFTED_FORCE, MOTOR_COUNT, SATURATED_LIFT};
+use crate::config::{CONTROL_STEP_MAX_S, LIFTED_FORCE, MOTOR_COUNT};
 use crate::flight::{FlightLogic, TickOutput};
 use crate::mixer::{Demand, mix_below};
 use crate::rate_control::RateInput;
@@ -75,10 +75,7 @@ impl<M: RecordMemory> FlightLogic<M> {
         let high_n = self.rotor_cap_n().unwrap_or(self.config.rotor_thrust_max_n);
         let mixed = mix_below(&self.config, &demand, high_n);
         self.rate.limited(&mixed.saturation);
-        // Roll, pitch and lift are what a maneuver lives on. That torque costs some thrust, lifts it above the least, or
-        // leaves yaw behind is part of a healthy flight.
-        let [roll, pitch, _] = mixed.saturation.axes;
-        let saturated = roll || pitch || mixed.saturation.achieved_mps2 < SATURATED_LIFT * thrust_mps2;
+        let saturated = mixed.saturation.is_limit(thrust_mps2);
         self.saturated_ticks = if saturated { self.saturated_ticks.saturating_add(1) } else { 0 };
         let throttle = self.drive.throttles_below(&self.config, mixed.thrusts_n, self.drive_v, dt_s, high_n);
         self.commanded = setpoint;

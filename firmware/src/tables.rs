@@ -53,7 +53,7 @@ impl Tables {
         if bytes.is_empty() || usize::from(total) > MAX_TABLE_BYTES || end > usize::from(total) {
             return Err(Refusal::Table(TableError::Length));
         }
-        if offset == 0 && (self.total != total || self.staged.get(..bytes.len()) != Some(bytes)) {
+        if offset == 0 && self.total != total {
             self.staged.clear();
             self.total = total;
         }

@@ -455,7 +455,7 @@ impl ManeuverTable {
                 }
                 let peak = profile.peak_rate(time_s, time_s + s.duration_s);
                 let bound = self.limits.rate_max_radps * (1.0 + ARC_RATE_TOLERANCE);
-                if !peak.is_finite() || peak > bound {
+                if peak > bound {
                     return Err(TableError::ArcRate);
                 }
             }

@@ -142,6 +142,7 @@ impl Draw {
                 .clone(),
             61 => Request::ReadRecord { first: self.below(1000) as u32 },
             62 => Request::ReadEvents { first: self.bits() as u32 >> self.below(32) },
+            63 if self.one_in(10) => Request::Pair((!self.one_in(3)).then(|| [self.bits() as u8; 16])),
             _ => Request::Heartbeat,
         }
     }
@@ -156,26 +157,39 @@ struct World {
     /// The host says nothing as long as it is quiet.
     silent: bool,
     kill: KillSwitch,
+    /// What it says as a rule: there are lives without one, on the bench.
+    usual_kill: KillSwitch,
     battery_v: Option<f32>,
+    /// The last voltage that a battery of this vehicle can have.
+    plausible_v: Option<f32>,
+    /// Its motors were switched on where nothing but the bench's cap stood in for a kill switch.
+    on_bench: bool,
     sequence: u16,
     rates_radps: [f32; 3],
     ticks: u64,
     states: [u64; FlightState::ALL.len()],
+    /// Throttles that were judged by the bench's cap.
+    capped: u64,
 }
 
 impl World {
     fn new(seed: u64) -> Self {
+        let usual_kill = if seed.is_multiple_of(5) { KillSwitch::Absent } else { KillSwitch::Run };
         Self {
             draw: Draw::new(seed),
             now_us: 0,
             quiet: 900,
             silent: false,
-            kill: KillSwitch::Run,
+            kill: usual_kill,
+            usual_kill,
             battery_v: Some(15.5),
+            plausible_v: None,
+            on_bench: false,
             sequence: 0,
             rates_radps: [0.0; 3],
             ticks: 0,
             states: [0; FlightState::ALL.len()],
+            capped: 0,
         }
     }
 
@@ -207,12 +221,12 @@ impl World {
         let backwards = !quiet && draw.one_in(6000);
         self.now_us =
             if backwards { self.now_us.wrapping_sub(step_us) } else { self.now_us.wrapping_add(step_us) };
-        if !quiet && draw.one_in(400) || self.kill != KillSwitch::Run && draw.one_in(100) {
+        if !quiet && draw.one_in(400) || self.kill != self.usual_kill && draw.one_in(100) {
             self.kill = [KillSwitch::Run, KillSwitch::Lost, KillSwitch::Stop, KillSwitch::Absent]
                 [draw.below(4) as usize];
         }
         if quiet && draw.one_in(3) {
-            self.kill = KillSwitch::Run;
+            self.kill = self.usual_kill;
         }
         self.battery_v = match draw.below(if quiet { 1 << 40 } else { 600 }) {
             0 => None,
@@ -285,6 +299,40 @@ fn check(
     world.states[FlightState::ALL.iter().position(|s| *s == after).expect("a state")] += 1;
 }
 
+/// What a rotor gets where the thrust is capped: no more than its share of the cap, or idle, which it never goes below. By the
+/// thrust map, T = T_max (V/V_ref · throttle)² for this vehicle.
+fn check_share(
+    world: &mut World,
+    out: &TickOutput,
+    before: FlightState,
+    input: &TickInput,
+    settings: &Settings,
+    config: &VehicleConfig,
+) {
+    assert_eq!((config.thrust_linear_share, config.sag_v_per_n), (0.0, 0.0));
+    let waived = input.kill == KillSwitch::Absent && settings.bench_thrust_mps2 > 0.0;
+    if !before.motors_on() {
+        world.on_bench = waived;
+    }
+    world.plausible_v = input.battery_v.filter(|v| config.is_plausible_battery(*v)).or(world.plausible_v);
+    if !(waived || world.on_bench) {
+        return;
+    }
+    let volts = world.plausible_v.unwrap_or(config.battery_nominal_v);
+    let share_n = settings.bench_thrust_mps2 * config.mass_kg / 4.0;
+    let speed = (share_n / config.rotor_thrust_max_n).sqrt() * config.battery_nominal_v / volts;
+    let idle = (config.rotor_thrust_idle_n / config.rotor_thrust_max_n).sqrt();
+    let most = speed.max(idle * config.battery_nominal_v / volts).max(idle);
+    for throttle in out.throttle.into_iter().flatten() {
+        world.capped += 1;
+        assert!(
+            throttle <= most * 1.0001,
+            "tick {}: {throttle} where {most} is the most, {settings:?}, {config:?}, {input:?}",
+            world.ticks
+        );
+    }
+}
+
 fn report(name: &str, ticks: u64, states: &[u64]) {
     println!("{name}: {ticks} ticks; {:?}", FlightState::ALL.iter().zip(states).collect::<Vec<_>>());
 }
@@ -295,7 +343,7 @@ fn two_million_ticks_of_any_requests() {
     const LIVES: u64 = 100;
     const TICKS_EACH: u64 = 20_000;
     let mut states = [0; FlightState::ALL.len()];
-    let mut ticks = 0;
+    let (mut ticks, mut capped, mut pairings) = (0, 0, 0);
     for life in 0..LIVES {
         let mut world = World::new(life + 1);
         let known = !life.is_multiple_of(10);
@@ -335,8 +383,12 @@ fn two_million_ticks_of_any_requests() {
                 let starting = world.ticks < 200 || world.draw.one_in(500);
                 logic.set_board_status(&BoardStatus { store, ..logic::status(BOTH, starting) });
             }
-            let (before, settings) = (logic.state(), *logic.settings());
+            let (before, settings, config) = (logic.state(), *logic.settings(), *logic.config());
+            let key = logic.pairing().copied();
             let out = logic.tick(&input, &mut inbox, &mut outbox);
+            check_share(&mut world, &out, before, &input, &settings, &config);
+            assert!(!logic.state().motors_on() || logic.pairing().copied() == key, "paired in flight");
+            pairings += u64::from(logic.pairing().copied() != key);
             logic.telemeter(&mut outbox);
             asked = out.setpoint;
             check(&mut world, &out, before, logic.state(), &input, Some(arms), &settings);
@@ -349,11 +401,14 @@ fn two_million_ticks_of_any_requests() {
             }
         }
         ticks += world.ticks;
+        capped += world.capped;
         for (sum, n) in states.iter_mut().zip(world.states) {
             *sum += n;
         }
     }
     report("requests", ticks, &states);
+    println!("{capped} throttles under the bench's cap, {pairings} pairings");
+    assert!(capped > 10_000 && pairings > 1000, "{capped} {pairings}");
     assert_eq!(ticks, LIVES * TICKS_EACH);
     // The lives are not all spent on the ground.
     let [boot, others @ ..] = states;
@@ -368,8 +423,10 @@ fn a_million_ticks_of_any_bytes() {
     const LIVES: u64 = 60;
     const TICKS_EACH: u64 = 20_000;
     let mut states = [0; FlightState::ALL.len()];
-    let (mut ticks, mut heard) = (0, 0u64);
+    let (mut ticks, mut heard, mut deaf) = (0, 0u64, 0u64);
     for life in 0..LIVES {
+        // Of a paired vehicle's life not much is left to see.
+        let may_pair = life % 4 == 3;
         let mut world = World::new(1000 + life);
         let mut vehicle: Vehicle<Record> =
             Vehicle::new(Some(VehicleConfig::REFERENCE), BOTH, vec![[0; RECORD_BYTES]; 400]);
@@ -382,7 +439,10 @@ fn a_million_ticks_of_any_bytes() {
             let requests = if world.silent { 0 } else { world.draw.below(4) };
             for _ in 0..requests {
                 let incident = vehicle.incident().map_or(0, |i| i.number);
-                let request = world.draw.request(&mut world.sequence, incident);
+                let mut request = world.draw.request(&mut world.sequence, incident);
+                if matches!(request, Request::Pair(_)) && !may_pair {
+                    request = Request::Heartbeat;
+                }
                 if let Request::WriteSettings(wanted) = request
                     && wanted.check().is_ok()
                 {
@@ -410,9 +470,12 @@ fn a_million_ticks_of_any_bytes() {
                 }
                 vehicle.receive(&bytes);
             }
-            let before = vehicle.state();
+            let (before, paired) = (vehicle.state(), vehicle.is_paired());
             let out = vehicle.tick(&input);
             asked = out.setpoint;
+            // Nobody here has the key.
+            assert!(before.motors_on() || !(paired && vehicle.state().motors_on()), "a stranger's motors");
+            deaf += u64::from(paired);
             // What arms comes through the line: that is checked where requests are given directly.
             check(&mut world, &out, before, vehicle.state(), &input, Some(true), &settings);
             let mut room = [0; 600];
@@ -437,6 +500,7 @@ fn a_million_ticks_of_any_bytes() {
     report("bytes", ticks, &states);
     assert_eq!(ticks, LIVES * TICKS_EACH);
     assert!(heard > 100_000, "{heard} answers");
+    assert!(deaf > 50_000, "{deaf} ticks of a paired vehicle");
     assert!(
         states[FlightState::ALL.iter().position(|s| *s == FlightState::Tracking).expect("a state")] > 1000
     );

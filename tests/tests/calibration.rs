@@ -216,6 +216,25 @@ fn lost_samples_are_bridged_or_end_it() {
     assert_eq!(calibrate_with(5, &HAND, 4, losing(10.0, 3.0)), Err(CalibrationError::SamplesLost));
 }
 
+/// A gyro that stands off by more than 5 % is refused, also where the end of the turn is still recognised as such.
+#[test]
+fn an_implausible_scale_is_refused() {
+    for (believed, plausible) in [(0.9510, false), (0.9530, true), (1.0520, true), (1.0540, false)] {
+        let mut calibration = ScaleCalibration::start(Axis::Up, 1).expect("a turn");
+        let dt_s = 1.25e-3;
+        let rate_radps = std::f32::consts::TAU * believed / (1000.0 * dt_s);
+        let rates = [0.0; 500].into_iter().chain([rate_radps; 1000]).chain([0.0; 1600]);
+        let result = rates.filter_map(|rate| calibration.update(Some([0.0, 0.0, rate]), dt_s)).next();
+        let result = result.expect("it comes to its end");
+        if plausible {
+            let factor = result.expect("a scale");
+            assert!((factor - 1.0 / believed).abs() < 0.01, "{believed}: {factor}");
+        } else {
+            assert_eq!(result, Err(CalibrationError::Implausible), "{believed}");
+        }
+    }
+}
+
 /// Samples that are no numbers change nothing.
 #[test]
 fn nonsense_changes_nothing() {

@@ -3,12 +3,12 @@
 mod logic;
 
 use logic::{BOTH, Bench, FRESH_TICKS, HOVER, TICK_US, table};
-use mintime_firmware::config::VehicleConfig;
+use mintime_firmware::config::{RUNAWAY_TICKS, SATURATED_TICKS, VehicleConfig};
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::gyro::ImuSample;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, KillSwitch, Purpose, RECORD_BYTES, Refusal, Reply, Request,
-    Setpoint, record_flags,
+    AbortReason, ArmingBlock, FlightState, KillSwitch, Purpose, RECORD_BYTES, RecordedTick, Refusal, Reply,
+    Request, Setpoint, record_flags,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::LinkPolicy;
@@ -75,31 +75,34 @@ fn a_sagging_battery_ends_the_maneuver() {
     }
 }
 
-/// Rotors at their limit for 120 ticks in a row end the maneuver.
+/// Rotors at their limit for 120 ticks in a row end the maneuver; those of the flight before it do not count.
 #[test]
 fn saturated_rotors_end_the_maneuver() {
     // Rotors with little more than the plan asks for.
     let weak =
         VehicleConfig { rotor_thrust_max_n: 4.3, plan_thrust_max_mps2: 20.0, ..VehicleConfig::REFERENCE };
-    let mut bench = Bench::of(FlightLogic::new(Some(weak), BOTH, vec![[0; RECORD_BYTES]; 3200]));
-    bench.run(900);
-    bench.commit(&table());
-    bench.arm();
-    bench.stream = Some(HOVER);
-    bench.run(60);
-    assert_eq!(bench.trigger(), Reply::Done);
-    for _ in 0..400 {
-        if bench.logic.state() != FlightState::Maneuver {
-            break;
+    for before in [HOVER, Setpoint { thrust_mps2: 60.0, ..HOVER }] {
+        let mut bench = Bench::of(FlightLogic::new(Some(weak), BOTH, vec![[0; RECORD_BYTES]; 3200]));
+        bench.run(900);
+        bench.commit(&table());
+        bench.arm();
+        bench.stream = Some(before);
+        bench.run(200);
+        assert_eq!(bench.trigger(), Reply::Done);
+        for _ in 0..400 {
+            if bench.logic.state() != FlightState::Maneuver {
+                break;
+            }
+            let mut sample = bench.sample();
+            sample.gyro_radps[1] += 4.0;
+            bench.tick_with(Some(sample), TICK_US, &[]);
         }
-        let mut sample = bench.sample();
-        sample.gyro_radps[1] += 4.0;
-        bench.tick_with(Some(sample), TICK_US, &[]);
+        check_given_up(&mut bench, true, AbortReason::MotorsSaturated);
+        let record = bench.record();
+        let saturates = |tick: &&RecordedTick| tick.flags & record_flags::SATURATED != 0;
+        assert_eq!(record.iter().rev().take_while(saturates).count(), SATURATED_TICKS as usize);
+        assert!(record.first().is_some_and(|tick| saturates(&tick)));
     }
-    check_given_up(&mut bench, true, AbortReason::MotorsSaturated);
-    let record = bench.record();
-    let saturated = record.iter().rev().take_while(|tick| tick.flags & record_flags::SATURATED != 0).count();
-    assert_eq!(saturated, 120);
 }
 
 /// Armed motors stop when nothing was heard of the host for longer than its timeout.
@@ -183,4 +186,74 @@ fn without_gravity_nothing_is_armed() {
     bench.tick_with(Some(sample), TICK_US, &[Request::Arm(Purpose::Flight)]);
     let blocked = Refusal::ArmingBlocked(ArmingBlock::NOT_CALIBRATED.0);
     assert_eq!(bench.answer(bench.number), Some(Reply::Refused(blocked)));
+}
+
+/// A new state has its whole time to be followed: what ran away before it counts no more.
+#[test]
+fn a_runaway_is_counted_anew_in_each_state() {
+    let mut bench = Bench::flying();
+    let last = bench.setpoint(HOVER);
+    bench.stream = None;
+    bench.tick(&[last]);
+    bench.run(FRESH_TICKS - 40);
+    let mut ticks_in = |state: FlightState| {
+        for ticks in 0.. {
+            if bench.logic.state() != state {
+                return ticks;
+            }
+            let mut sample = bench.sample();
+            sample.gyro_radps[2] += 12.0;
+            bench.tick_with(Some(sample), TICK_US, &[]);
+        }
+        0
+    };
+    assert_eq!(ticks_in(FlightState::Tracking), 41);
+    assert_eq!(ticks_in(FlightState::Recovery), RUNAWAY_TICKS);
+    assert_eq!(bench.abort(), Some(AbortReason::Runaway));
+}
+
+/// A cap below what four rotors give at idle leaves them at idle, in flight and in a test of one.
+#[test]
+fn a_bench_cap_below_idle_leaves_the_rotors_at_idle() {
+    let config = VehicleConfig::REFERENCE;
+    let idle_mps2 = 4.0 * config.rotor_thrust_idle_n / config.mass_kg;
+    // Where the throttle is the speed, at the voltage that the thrust map holds for.
+    assert_eq!(config.thrust_linear_share, 0.0);
+    let idle = (config.rotor_thrust_idle_n / config.rotor_thrust_max_n).sqrt();
+    for part in [0.2, 1.0] {
+        let mut bench = Bench::ready();
+        bench.battery_v = Some(config.battery_nominal_v);
+        bench.kill = KillSwitch::Absent;
+        bench.stands = true;
+        let settings = Settings { bench_thrust_mps2: part * idle_mps2, ..Settings::DEFAULT };
+        assert_eq!(bench.ask(Request::WriteSettings(settings)), Reply::Done);
+        let check = |throttle: f32| assert!((throttle - idle).abs() < 1e-6, "{part}: {throttle} for {idle}");
+        assert_eq!(bench.ask(Request::Arm(Purpose::MotorTest)), Reply::Done);
+        let test = Request::TestMotor { motor: 0, throttle: 0.1, duration_ms: 100 };
+        assert_eq!(bench.ask(test), Reply::Done);
+        check(bench.out.throttle.expect("motors on").into_iter().fold(0.0, f32::max));
+        assert_eq!(bench.ask(Request::Disarm), Reply::Done);
+        bench.run(900);
+        bench.arm();
+        bench.stream = Some(HOVER);
+        bench.run(60);
+        assert_eq!(bench.logic.state(), FlightState::Tracking);
+        bench.out.throttle.expect("motors on").into_iter().for_each(check);
+    }
+}
+
+/// As long as no sample has come the gyro is silent: nobody waits for that to be found out.
+#[test]
+fn a_gyro_that_has_not_been_heard_is_silent() {
+    let mut bench = Bench::new();
+    let silent = |bench: &mut Bench| {
+        let Some(Reply::Status(status)) = bench.answer(bench.number) else { panic!("no status") };
+        ArmingBlock(status.arming_block).contains(ArmingBlock::GYRO_SILENT)
+    };
+    bench.tick_with(None, TICK_US, &[Request::Status]);
+    assert!(silent(&mut bench));
+    bench.tick(&[Request::Status]);
+    assert!(!silent(&mut bench));
+    bench.tick_with(None, TICK_US, &[Request::Status]);
+    assert!(!silent(&mut bench));
 }

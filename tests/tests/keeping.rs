@@ -3,22 +3,17 @@
 
 mod logic;
 
-use logic::{BOTH, Bench, Store, bytes_of, chunk, made_for, table, table_of};
+use logic::{BOTH, Bench, Store, bytes_of, chunk, made_for, name, table, table_of};
 use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::keeping::Key;
 use mintime_firmware::store::Damage;
 use mintime_shared::messages::{
     ArmingBlock, FlightState, Purpose, RECORD_BYTES, Refusal, Reply, Request, STORED_TABLES, StoredTable,
-    TableName,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::TableError;
 use proptest::prelude::*;
-
-fn name(text: &str) -> TableName {
-    TableName::try_from(text).expect("a short name")
-}
 
 fn held(length: usize) -> Reply {
     Reply::Staged { length: length as u16 }

@@ -2,7 +2,7 @@
 
 use mintime_firmware::config::control::TRIM_BOUND;
 use mintime_firmware::config::{INTEGRAL_BOUND_RAD, VehicleConfig, YAW_RESERVE};
-use mintime_firmware::mixer::{Demand, RotorDrive, rotor_thrusts};
+use mintime_firmware::mixer::{Demand, RotorDrive, mix, rotor_thrusts};
 use mintime_firmware::rate_control::{RateController, RateInput};
 use mintime_shared::frames::MOTORS;
 use proptest::prelude::*;
@@ -281,4 +281,27 @@ fn the_drive_leads_the_rotors() {
         throttle = drive.throttles(&VEHICLE, [2.0; 4], None, 1.25e-3)[0];
     }
     assert!((speed - f64::from(to)).abs() < 0.05 * f64::from(to - from), "{speed} for {to}");
+}
+
+/// Roll, pitch or lift that falls short is a limit, each by itself; yaw that does, and thrust above what is asked, is none.
+#[test]
+fn what_counts_as_the_rotors_limit() {
+    let hover = 9.81;
+    let (much, most) = (2000.0, 4.0 * VEHICLE.rotor_thrust_max_n / VEHICLE.mass_kg);
+    for (thrust_mps2, acceleration_radps2, limit) in [
+        (hover, [0.0, 0.0, 0.0], false),
+        (hover, [20.0, 20.0, 1.0], false),
+        (hover, [much, 0.0, 0.0], true),
+        (hover, [-much, 0.0, 0.0], true),
+        (hover, [0.0, much, 0.0], true),
+        (hover, [0.0, -much, 0.0], true),
+        (hover, [0.0, 0.0, much], false),
+        (0.0, [0.0; 3], false),
+        (most, [0.0; 3], false),
+        (most * 1.05, [0.0; 3], false),
+        (most * 1.06, [0.0; 3], true),
+    ] {
+        let saturation = mix(&VEHICLE, &Demand { thrust_mps2, acceleration_radps2 }).saturation;
+        assert_eq!(saturation.is_limit(thrust_mps2), limit, "{thrust_mps2} {acceleration_radps2:?}");
+    }
 }

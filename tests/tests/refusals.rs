@@ -3,7 +3,9 @@
 
 mod logic;
 
-use logic::{BOTH, Bench, FRESH_TICKS, HOVER, TICK_US, bytes_of, chunk, made_for, status, table, table_of};
+use logic::{
+    BOTH, Bench, FRESH_TICKS, HOVER, TICK_US, bytes_of, chunk, made_for, name, status, table, table_of,
+};
 use mintime_firmware::config::{BoardStatus, Capabilities, StoreStatus, VehicleConfig};
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::gyro::ImuSample;
@@ -14,7 +16,7 @@ use mintime_shared::framing::{Decoder, encode};
 use mintime_shared::messages::{
     ArmingBlock, CalibrationError, Downlink, FlightState, IncidentCause, KillSwitch, Message,
     PROTOCOL_VERSION, Purpose, RECORD_BYTES, REQUEST_AGE_MS, Refusal, Reply, Request, STORED_TABLES,
-    Setpoint, TableName, Uplink,
+    Setpoint, Uplink,
 };
 use mintime_shared::settings::{Settings, SettingsError};
 use mintime_shared::table::TableError;
@@ -78,10 +80,6 @@ struct Case {
 
 fn case(bench: Bench, request: Request, want: Refusal, mend: fn(&mut Bench)) -> Case {
     Case { bench, request, want, mend, then: None }
-}
-
-fn name(text: &str) -> TableName {
-    TableName::try_from(text).expect("a short name")
 }
 
 fn disarm(bench: &mut Bench) {

@@ -3,40 +3,16 @@
 
 mod logic;
 
-use logic::{BOTH, Bench, HOVER, Store, TICK_US, bytes_of, chunk, status, table, table_of};
-use mintime_firmware::config::{BoardStatus, StoreStatus, VehicleConfig};
+use logic::{BOTH, Bench, HOVER, bytes_of, chunk, name, table, table_of};
 use mintime_firmware::flight::{FlightLogic, Inbox};
-use mintime_firmware::keeping::Key;
 use mintime_firmware::link::Link;
-use mintime_firmware::store::Damage;
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    ArmingBlock, CalibrationError, FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose,
-    RECORD_BYTES, Refusal, Reply, Request, Setpoint, TableName, Uplink,
+    ArmingBlock, FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal,
+    Reply, Request, Setpoint, Uplink,
 };
-use mintime_shared::settings::Settings;
 
 const ARM: Request = Request::Arm(Purpose::Flight);
-/// A store that is there and does nothing by itself.
-const IDLE_STORE: StoreStatus = StoreStatus { present: true, busy: false, finished: 0, failed: false };
-
-fn name(text: &str) -> TableName {
-    TableName::try_from(text).expect("a short name")
-}
-
-/// A request under the number of an earlier one.
-fn ask_as(bench: &mut Bench, number: u16, request: Request) -> Reply {
-    let rest = core::mem::replace(&mut bench.number, number.wrapping_sub(1));
-    let reply = bench.ask(request);
-    bench.number = rest;
-    reply
-}
-
-fn disarm(bench: &mut Bench) {
-    bench.stream = None;
-    assert_eq!(bench.ask(Request::Disarm), Reply::Done);
-    bench.run(900);
-}
 
 /// How often something stands in the event log.
 fn logged(bench: &mut Bench, what: Happening) -> usize {
@@ -62,7 +38,7 @@ fn another_table_under_a_flown_triggers_number_is_refused() {
     let number = bench.number;
     let checksum = table_of("horizontal_5").checksum();
     let refused = Reply::Refused(Refusal::WrongState(FlightState::Maneuver));
-    assert_eq!(ask_as(&mut bench, number, Request::Trigger { checksum }), refused);
+    assert_eq!(bench.ask_as(number, Request::Trigger { checksum }), refused);
 }
 
 /// A refusal is logged once for each request, and one that passes by itself not at all.
@@ -73,7 +49,7 @@ fn a_host_that_insists_does_not_flush_the_log() {
     let number = bench.number + 1;
     for _ in 0..5 {
         let load = Request::LoadTable { name: name("none") };
-        assert_eq!(ask_as(&mut bench, number, load), Reply::Refused(refusal));
+        assert_eq!(bench.ask_as(number, load), Reply::Refused(refusal));
     }
     assert_eq!(logged(&mut bench, Happening::Refused(refusal)), 1);
     bench.battery_v = Some(13.0);
@@ -103,7 +79,7 @@ fn a_record_asked_for_twice_is_one() {
     assert_eq!(bench.ask(Request::Record), Reply::Done);
     let recorded = bench.telemetry().recorded;
     assert!(recorded > 50);
-    disarm(&mut bench);
+    bench.disarm();
     let total = bench.record().len() as u32;
     assert!(total >= recorded);
     assert_eq!(bench.refusal(Request::ReadRecord { first: total }), Refusal::NoRecord);
@@ -121,6 +97,22 @@ fn arming_waits_until_the_calibration_is_over() {
         }
     }
     panic!("never armed");
+}
+
+/// Anybody may ask a paired vehicle who it is: that does not say that its host is there.
+#[test]
+fn a_strangers_question_is_no_sign_of_the_host() {
+    for (key, state) in [(None, FlightState::Armed), (Some(*b"a secret of both"), FlightState::Disarmed)] {
+        let mut bench = Bench::ready();
+        assert_eq!(bench.ask(Request::Pair(key)), Reply::Done);
+        bench.arm();
+        bench.heartbeat = false;
+        for _ in 0..20 {
+            bench.run(50);
+            assert!(matches!(bench.ask(Request::Identify), Reply::Identity(_)));
+        }
+        assert_eq!(bench.logic.state(), state, "{key:?}");
+    }
 }
 
 // ------------------------------------------------------------------------------------------------- left over
@@ -143,7 +135,7 @@ fn overtaken_setpoints_are_not_flown() {
 fn setpoints_to_standing_motors_are_not_refused() {
     let mut bench = Bench::ready();
     assert_eq!(bench.ask(Request::Arm(Purpose::MotorTest)), Reply::Done);
-    disarm(&mut bench);
+    bench.disarm();
     let setpoint = bench.setpoint(HOVER);
     bench.tick(&[setpoint]);
     assert_eq!(bench.answer(bench.number), None);
@@ -158,7 +150,7 @@ fn arming_begins_anew() {
     assert!(bench.telemetry().setpoints_lost > 0);
     assert_eq!(bench.trigger(), Reply::Done);
     let number = bench.number;
-    disarm(&mut bench);
+    bench.disarm();
     assert!(!bench.telemetry().maneuver_complete, "it was ordered to stop");
     bench.arm();
     assert_eq!(bench.telemetry().setpoints_lost, 0);
@@ -168,7 +160,7 @@ fn arming_begins_anew() {
     bench.run(60);
     assert_eq!(bench.logic.state(), FlightState::Tracking);
     let checksum = table().checksum();
-    assert_eq!(ask_as(&mut bench, number, Request::Trigger { checksum }), Reply::Done);
+    assert_eq!(bench.ask_as(number, Request::Trigger { checksum }), Reply::Done);
     assert_eq!(bench.logic.state(), FlightState::Maneuver);
 
     let mut bench = Bench::ready();
@@ -219,118 +211,6 @@ fn another_length_begins_anew() {
     for total in [bytes.len() + 1, bytes.len()] {
         assert_eq!(bench.ask(chunk(total, 0, &bytes[..30])), Reply::Staged { length: 30 });
     }
-}
-
-/// Guided turns asked for under another number are other ones; none ends them.
-#[test]
-fn guided_turns_belong_to_their_request() {
-    let mut bench = Bench::ready();
-    let turns = Request::CalibrateScale { axis: 2, turns: 1 };
-    assert_eq!(bench.ask(turns.clone()), Reply::Pending);
-    let number = bench.number;
-    bench.run(900);
-    let mut reply = Reply::Pending;
-    for _ in 0..20 {
-        bench.run(1000);
-        reply = ask_as(&mut bench, number, turns.clone());
-    }
-    assert_eq!(reply, Reply::Refused(Refusal::Calibration(CalibrationError::NotTurned)));
-    assert_eq!(bench.ask(turns), Reply::Pending);
-    assert_eq!(bench.ask(Request::CalibrateScale { axis: 2, turns: 0 }), Reply::Done);
-}
-
-/// The angle that passes while the gyro is silent is nobody's guess; a sample or two that are lost cost nothing.
-#[test]
-fn a_gyro_that_falls_silent_ends_guided_turns() {
-    let lost = Reply::Refused(Refusal::Calibration(CalibrationError::SamplesLost));
-    for (silent_ticks, expected) in [(6, Reply::Pending), (10, lost)] {
-        let mut bench = Bench::ready();
-        let turns = Request::CalibrateScale { axis: 2, turns: 1 };
-        assert_eq!(bench.ask(turns.clone()), Reply::Pending);
-        let number = bench.number;
-        bench.run(900);
-        for tick in 0..400 {
-            let mut sample = bench.sample();
-            sample.gyro_radps[2] += 2.0;
-            let seen = Some(sample).filter(|_| !(200..200 + silent_ticks).contains(&tick));
-            bench.tick_with(seen, TICK_US, &[]);
-        }
-        assert_eq!(ask_as(&mut bench, number, turns), expected, "{silent_ticks} ticks");
-    }
-}
-
-/// A job that the board has not taken yet keeps the motors off as well as one that it works on.
-#[test]
-fn a_job_that_waits_blocks_arming() {
-    let mut bench = Bench::ready();
-    bench.logic.set_board_status(&BoardStatus { store: IDLE_STORE, ..status(BOTH, false) });
-    let settings = Settings { heartbeat_ms: 700, ..Settings::DEFAULT };
-    assert_eq!(bench.ask(Request::WriteSettings(settings)), Reply::Pending);
-    assert_eq!(bench.refusal(ARM), Refusal::ArmingBlocked(ArmingBlock::STORING.0));
-}
-
-/// A failure is told to who wanted that value, and is forgotten with the next one that is written.
-#[test]
-fn a_failure_is_told_of_its_own_value_only() {
-    let mut bench = Bench::with_store();
-    let settings = Request::WriteSettings(Settings { heartbeat_ms: 700, ..Settings::DEFAULT });
-    bench.store.as_mut().expect("a store").fails = true;
-    assert_eq!(bench.ask(settings.clone()), Reply::Pending);
-    bench.run(20);
-    bench.store.as_mut().expect("a store").fails = false;
-    let vehicle = VehicleConfig { mass_kg: 0.75, ..VehicleConfig::REFERENCE };
-    assert_eq!(bench.settle(&Request::WriteVehicle(vehicle)).0, Reply::Done);
-    assert_eq!(bench.settle(&settings).0, Reply::Done);
-}
-
-/// Switched on with the tables (5, 5) and nothing else in its store, and this damage, which a person has read of.
-fn with_damage(kept: bool, places: &[u8]) -> Bench {
-    let mut old = Bench::with_store();
-    old.commit(&table());
-    let flip = Request::StoreTable { name: name("flip"), checksum: table().checksum() };
-    assert_eq!(old.settle(&flip).0, Reply::Done);
-    let store = old.store.expect("a store").kept.into_iter().filter(|_| kept).collect::<Vec<_>>();
-    let mut bench = Bench::ready();
-    for (key, value) in &store {
-        assert!(bench.logic.restore(*key, value));
-    }
-    let mut damage = Damage::NONE;
-    for place in places {
-        damage.set(Key::Table(*place), true);
-    }
-    bench.logic.note_damage(damage);
-    assert_eq!(bench.acknowledge(), Reply::Done);
-    bench.store = Some(Store { kept: store, ticks: 5, ..Store::default() });
-    bench
-}
-
-/// A table of which an older copy is left keeps its place, and is written anew where it is stored again.
-#[test]
-fn a_damaged_table_of_which_a_copy_is_left_is_kept() {
-    let mut bench = with_damage(true, &[0]);
-    bench.run(50);
-    assert_eq!(bench.store.as_ref().expect("a store").jobs, 0);
-    bench.commit(&table());
-    let flip = Request::StoreTable { name: name("flip"), checksum: table().checksum() };
-    assert_eq!(bench.settle(&flip).0, Reply::Done);
-    assert_eq!(bench.store.as_ref().expect("a store").jobs, 1);
-}
-
-/// Places of lost tables are freed one after the other, each tried once, and only where there is a store.
-#[test]
-fn lost_places_are_freed_one_by_one_and_once() {
-    let mut bench = with_damage(false, &[2, 6]);
-    bench.store = None;
-    bench.logic.set_board_status(&status(BOTH, false));
-    assert_eq!(bench.logic.job(), None, "without a store");
-    for _ in 0..3 {
-        bench.logic.set_board_status(&BoardStatus { store: IDLE_STORE, ..status(BOTH, false) });
-        assert_eq!(bench.logic.job().map(|job| job.key), Some(Key::Table(2)), "it has not been taken yet");
-    }
-    let mut bench = with_damage(false, &[2]);
-    bench.store.as_mut().expect("a store").fails = true;
-    bench.run(100);
-    assert_eq!(bench.store.as_ref().expect("a store").jobs, 1, "flash that fails is not worn further");
 }
 
 /// A disarm finds room in a full inbox as an emergency stop does, and what it displaces is counted.

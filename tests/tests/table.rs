@@ -408,6 +408,7 @@ fn every_refusal_has_its_reason() {
         ("an arc without width", forged_float(at::WIDTH, 0.0), TableError::Arcs),
         ("an arc at minimum thrust", arc_at_minimum_thrust(&table), TableError::Arcs),
         ("an arc too fast", fast_arc(&table), TableError::ArcRate),
+        ("an arc too fast for numbers", endless_arc(&table), TableError::ArcRate),
         ("another end", forged_float(at::END, 5.1), TableError::End),
         ("another duration", longer_first(&table), TableError::End),
         (
@@ -488,6 +489,14 @@ fn arc_at_minimum_thrust(table: &ManeuverTable) -> Result<ManeuverTable, TableEr
 }
 
 /// The same arcs under a rate limit that they exceed by a per mille.
+/// Its peak lies within an arc, and is 1/width.
+fn endless_arc(table: &ManeuverTable) -> Result<ManeuverTable, TableError> {
+    let (header, _, segments) = taken_apart(table);
+    let before = segments.iter().position(|s| s.inputs.rate == RateMode::Singular).expect("it has arcs");
+    let peak_s = segments[..before].iter().map(|s| s.duration).sum::<f32>() + 0.5 * segments[before].duration;
+    ManeuverTable::new(header, Some(ArcProfile { width_s: f32::from_bits(1), peak_s }), segments)
+}
+
 fn fast_arc(table: &ManeuverTable) -> Result<ManeuverTable, TableError> {
     let (mut header, arcs, segments) = taken_apart(table);
     let profile = arcs.expect("it has arcs");

@@ -158,6 +158,37 @@ fn other_frames_and_other_channels_do_not_matter() {
     }
 }
 
+/// A length is that of type, payload and checksum: 2 to 62. What claims another is no beginning, and keeps nothing waiting.
+#[test]
+fn a_length_that_no_frame_has_begins_none() {
+    for length in 0..=u8::MAX {
+        let mut parser = Parser::new();
+        let mut heard = |bytes: &[u8]| bytes.iter().filter_map(|byte| parser.push(*byte)).collect::<Vec<_>>();
+        if (2..=62).contains(&length) {
+            let bytes = frame(0x08, &std::vec![7; usize::from(length) - 2]);
+            assert_eq!(bytes[1], length);
+            assert_eq!(heard(&bytes), [Frame::Other], "{length}");
+        } else {
+            assert_eq!(heard(&[ADDRESS_FLIGHT_CONTROLLER, length, 7]), []);
+        }
+        assert_eq!(heard(&switch(HIGH)).len(), 1, "{length}");
+    }
+}
+
+/// Link statistics have ten bytes: another frame of that type says nothing of the link.
+#[test]
+fn link_statistics_of_another_length_are_none() {
+    for length in 3..=60 {
+        let mut kill = running(0);
+        let mut payload = std::vec![90; length];
+        payload[LINK_QUALITY] = 0;
+        let seen = kill.update(MS, &frame(TYPE_LINK_STATISTICS, &payload));
+        let whole = length == STATISTICS_BYTES;
+        assert_eq!(seen, if whole { KillState::Lost } else { KillState::Run }, "{length}");
+        assert_eq!((kill.link_quality(), kill.errors()), (whole.then_some(0), u32::from(!whole)), "{length}");
+    }
+}
+
 #[test]
 fn a_frame_behind_a_broken_one_is_heard() {
     let mut kill = running(0);

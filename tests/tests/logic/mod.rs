@@ -11,8 +11,8 @@ use mintime_firmware::gyro::ImuSample;
 use mintime_firmware::keeping::{Job, Key};
 use mintime_shared::messages::{
     AbortReason, ArmingBlock, BoardTelemetry, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose,
-    RECORD_BYTES, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, Telemetry, Uplink,
-    milliseconds,
+    RECORD_BYTES, RecordedTick, Refusal, Reply, Request, STAGE_CHUNK_BYTES, Setpoint, TableName, Telemetry,
+    Uplink, milliseconds,
 };
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable};
 use mintime_tests::reference_cases;
@@ -307,6 +307,21 @@ impl Bench {
         self.answer(number).expect("an answer in the same tick")
     }
 
+    /// A request under the number of an earlier one.
+    pub(crate) fn ask_as(&mut self, number: u16, request: Request) -> Reply {
+        let rest = core::mem::replace(&mut self.number, number.wrapping_sub(1));
+        let reply = self.ask(request);
+        self.number = rest;
+        reply
+    }
+
+    /// Disarms and waits until it may be armed again.
+    pub(crate) fn disarm(&mut self) {
+        self.stream = None;
+        assert_eq!(self.ask(Request::Disarm), Reply::Done);
+        self.run(900);
+    }
+
     pub(crate) fn refusal(&mut self, request: Request) -> Refusal {
         match self.ask(request) {
             Reply::Refused(refusal) => refusal,
@@ -425,6 +440,10 @@ pub(crate) fn bytes_of(table: &ManeuverTable) -> heapless::Vec<u8, MAX_TABLE_BYT
     let mut buffer = [0; MAX_TABLE_BYTES];
     let length = table.encode(&mut buffer).expect("it fits");
     heapless::Vec::from_slice(&buffer[..length]).expect("it fits")
+}
+
+pub(crate) fn name(text: &str) -> TableName {
+    TableName::try_from(text).expect("a short name")
 }
 
 /// One chunk of a table.
