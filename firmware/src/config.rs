@@ -166,8 +166,10 @@ pub const CONTROL_STEP_MAX_S: f32 = 2.5e-3;
 /// its answer's retries, shorter than a host at 800 messages a second takes to use up all 65536 numbers.
 pub const REPEATED_US: u64 = 15_000_000;
 
-/// Shortest and longest interval of telemetry that a host may ask for, ms.
-pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 1000);
+/// Shortest and longest interval of telemetry that a host may ask for, ms. What a host heard last tells how old its requests are:
+/// two that are lost must not make them late.
+pub const TELEMETRY_RANGE_MS: (u16, u16) = (5, 100);
+const _: () = assert!(TELEMETRY_RANGE_MS.1 as u32 * 3 <= REQUEST_AGE_MS);
 /// Requests that one tick takes.
 pub const INBOX: usize = 4;
 /// Incidents that wait to be acknowledged: five may come up with a start (two crashes, a termination, damage to the store, no

@@ -371,8 +371,9 @@ impl<M: RecordMemory> FlightLogic<M> {
         let Some(now_us) = self.last_us.filter(due) else {
             return;
         };
-        self.next_telemetry_us = now_us.saturating_add(self.telemetry_us);
-        // A full outbox means a slow link: the next one will do.
-        let _ = outbox.push_back(Message::Telemetry(self.telemetry()));
+        // Answers leave it a place. Where that is still taken the line is slow: the next tick tries again.
+        if outbox.push_back(Message::Telemetry(self.telemetry())).is_ok() {
+            self.next_telemetry_us = now_us.saturating_add(self.telemetry_us);
+        }
     }
 }

@@ -8,7 +8,7 @@ use mintime_shared::messages::{
 use mintime_shared::seal;
 use mintime_shared::table::SCHEMA_HASH;
 
-use crate::config::{FIRMWARE_VERSION, INBOX, REPEATED_US, TELEMETRY_RANGE_MS};
+use crate::config::{FIRMWARE_VERSION, INBOX, OUTBOX, REPEATED_US, TELEMETRY_RANGE_MS};
 use crate::flight::{FlightLogic, Inbox, MotorTest, Outbox};
 use crate::keeping::{self, Key};
 use crate::recorder::RecordMemory;
@@ -40,9 +40,8 @@ impl<M: RecordMemory> FlightLogic<M> {
         for uplink in inbox {
             let verdict = if uplink.version == PROTOCOL_VERSION {
                 let recent = uplink.is_recent(now_us);
-                // Anybody may ask a paired vehicle who it is: that does not say that its host is there. Nor does what a bridge
-                // has held back.
-                if recent && (self.pairing.is_none() || !matches!(uplink.request, Request::Identify)) {
+                // What has no time says not that its host is there: a bridge may have held it back.
+                if recent && uplink.request.is_timed() {
                     self.heard_us = Some(now_us);
                 }
                 let verdict = if !recent && self.would_turn_motors(uplink, now_us) {
@@ -95,8 +94,11 @@ impl<M: RecordMemory> FlightLogic<M> {
                 if let Reply::Refused(refusal) = reply {
                     self.note_refusal(number, refusal, now_us);
                 }
-                // A full outbox means that the host asks faster than the link carries; it asks again after its timeout.
-                let _ = outbox.push_back(Message::Reply { number, reply });
+                // A full outbox means that the host asks faster than the link carries; it asks again after its timeout. The last
+                // place is telemetry's: a host that does not hear it cannot fly.
+                if outbox.len() < OUTBOX - 1 {
+                    let _ = outbox.push_back(Message::Reply { number, reply });
+                }
             }
             drop(inbox.pop_front());
         }
@@ -368,11 +370,14 @@ impl<M: RecordMemory> FlightLogic<M> {
         }
         if let Some(last) = self.last_sequence {
             let step = sequence.wrapping_sub(last);
-            // Half the numbers lie ahead, half behind: what is behind was overtaken on the way.
-            if step == 0 || step > u16::MAX / 2 {
+            // Half the numbers lie ahead, half behind: what is behind was overtaken on the way. Unless there was silence: then a
+            // host begins anew, whatever its number. What was held back that long is late.
+            let ahead = step <= u16::MAX / 2;
+            if step == 0 || !ahead && self.setpoint_is_fresh(now_us) {
                 return Verdict::Silent;
             }
-            self.setpoints_lost = self.setpoints_lost.saturating_add(u32::from(step) - 1);
+            let lost = if ahead { u32::from(step) - 1 } else { 0 };
+            self.setpoints_lost = self.setpoints_lost.saturating_add(lost);
         }
         self.last_sequence = Some(sequence);
         self.host_setpoint = Some((setpoint, now_us));

@@ -43,14 +43,19 @@ impl Stop {
     fn stop(&self) -> Result<(serde_json::Value, String), Box<dyn Error>> {
         let key = self.key.as_deref().map(read_key).transpose()?;
         let mut link = PortLink::open(&self.port)?;
-        let mut client = Client::with_key(key);
+        let mut client = Client::with_key(key).numbered_anew();
         let mut said = None;
         for number in 1..=self.tries {
             // A paired vehicle says its session only when asked who it is; nobody else is kept waiting for that.
             let identify = key.is_some() && !client.knows_session();
             let request = if identify { Request::Identify } else { Request::EmergencyStop };
             let now_s = link.now_s();
-            client.ask(&mut link, request, now_s)?;
+            // Under one number, so that on a slow line the answer to an earlier try counts.
+            if client.is_waiting_for(&request) {
+                client.insist(&mut link, now_s)?;
+            } else {
+                client.ask(&mut link, request, now_s)?;
+            }
             let until_s = now_s + PERIOD_S;
             while link.now_s() < until_s {
                 link.wait(until_s - link.now_s())?;

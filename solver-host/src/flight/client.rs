@@ -20,9 +20,10 @@ use super::seal_counter::{self, SealCounter};
 const ANSWER_TIMEOUT_S: f64 = 0.05;
 /// Times a request is sent before the vehicle counts as silent. Every request is harmless when repeated.
 const TRIES: u32 = 10;
-/// Where seals are refused, another program is at work whose counter is ahead: this one goes on so far above it. The other one
-/// then needs a third of a second to come there, and is told the same way.
-const COUNTERS_AHEAD: u32 = 100;
+/// Of streamed setpoints some may lose against another program's seals; of so many refused this program is behind.
+const REFUSED_SEALS: usize = 5;
+/// Numbers that are remembered of what was sealed, and of questions who is there: a second of a flight.
+const REMEMBERED: usize = 128;
 /// What is under way on the vehicle is asked for again this often, s ...
 const PENDING_PERIOD_S: f64 = 0.1;
 /// ... and for this long, s: erasing a sector of flash takes two seconds at worst.
@@ -71,6 +72,15 @@ struct Pending {
     telemetry_count: u64,
 }
 
+/// A question who is there.
+#[derive(Clone, Copy, Debug)]
+struct Question {
+    number: u16,
+    asked_s: f64,
+    /// For the counter of seals alone: whoever is at work with a vehicle does not want to hear that it has been reset.
+    counter_only: bool,
+}
+
 /// Keeps requests, answers and telemetry in order.
 #[derive(Clone, Debug, Default)]
 pub struct Client {
@@ -93,8 +103,12 @@ pub struct Client {
     /// The vehicle's session, if it wants seals.
     session: Option<u32>,
     seals: SealCounter,
-    /// The question for the vehicle's last counter that is under way: its number, and since when, s.
-    counter_asked: Option<(u16, f64)>,
+    /// Numbers of what was sealed last.
+    sealed: VecDeque<u16>,
+    /// Of these so many were refused since the vehicle was asked for its counter.
+    refused_seals: usize,
+    /// The last questions who is there.
+    questions: VecDeque<Question>,
 }
 
 impl Client {
@@ -173,6 +187,13 @@ impl Client {
     /// [`ConnectionError`] of the line.
     pub fn ask(&mut self, line: &mut impl Line, request: Request, now_s: f64) -> Result<(), ConnectionError> {
         let number = self.next_number();
+        match request {
+            Request::Identify => {
+                remember(&mut self.questions, Question { number, asked_s: now_s, counter_only: false });
+            }
+            Request::EmergencyStop => self.seals.hurry(seal_counter::now_s()),
+            _ => {}
+        }
         self.transmit(line, number, request.clone())?;
         self.pending = Some(Pending {
             number,
@@ -184,6 +205,25 @@ impl Client {
             telemetry_count: self.telemetry_count,
         });
         Ok(())
+    }
+
+    /// Sends the request under way once more, under its number, without waiting for its time.
+    ///
+    /// # Errors
+    /// [`ConnectionError`] of the line.
+    pub fn insist(&mut self, line: &mut impl Line, now_s: f64) -> Result<(), ConnectionError> {
+        let Some(pending) = &mut self.pending else {
+            return Ok(());
+        };
+        pending.tries += 1;
+        pending.sent_s = now_s;
+        let (number, request) = (pending.number, pending.request.clone());
+        self.transmit(line, number, request)
+    }
+
+    /// Whether this request is under way.
+    pub fn is_waiting_for(&self, request: &Request) -> bool {
+        self.pending.as_ref().is_some_and(|pending| pending.request == *request)
     }
 
     /// Reads what has arrived and repeats a request that stays unanswered. `Some` with the answer to the request under
@@ -261,8 +301,8 @@ impl Client {
         Some(reply)
     }
 
-    /// What a reply says of seals, beside the answer it may be. Where they are refused the counter of another program may be
-    /// ahead, and the vehicle is asked for it.
+    /// What a reply says of seals, beside the answer it may be. Where this program's are refused the counter of another one may
+    /// be ahead, and the vehicle is asked for it.
     fn keep_up(
         &mut self,
         line: &mut impl Line,
@@ -271,37 +311,35 @@ impl Client {
         now_s: f64,
     ) -> Result<(), ConnectionError> {
         match reply {
-            Reply::Identity(identity) if self.counter_asked.is_some_and(|(asked, _)| asked == number) => {
-                self.counter_asked = None;
-                // After a reset the vehicle is another one to whoever was at work with it.
-                if self.session == Some(identity.session) {
-                    self.take_counter(identity, COUNTERS_AHEAD);
+            Reply::Identity(identity) => {
+                // Late ones count, too: on a slow line there is no other.
+                let Some(question) = self.questions.iter().rfind(|q| q.number == number) else {
+                    return Ok(());
+                };
+                if !question.counter_only {
+                    self.session = identity.paired.then_some(identity.session);
+                }
+                let vouched =
+                    |key| vouch(key, identity.session, identity.last_counter) == identity.last_counter_mac;
+                if self.session == Some(identity.session) && self.key.as_ref().is_some_and(vouched) {
+                    let ago_s = now_s - question.asked_s;
+                    self.seals.catch_up(identity.last_counter, ago_s, seal_counter::now_s());
                 }
             }
-            Reply::Identity(identity) if self.pending.as_ref().is_some_and(|p| p.number == number) => {
-                self.session = identity.paired.then_some(identity.session);
-                self.take_counter(identity, 0);
-            }
-            Reply::Refused(Refusal::NotSealed)
-                if self.key.is_some()
-                    && self.session.is_some()
-                    && self.counter_asked.is_none_or(|(_, asked_s)| now_s - asked_s >= ANSWER_TIMEOUT_S) =>
-            {
-                let number = self.next_number();
-                self.counter_asked = Some((number, now_s));
-                self.transmit(line, number, Request::Identify)?;
+            Reply::Refused(Refusal::NotSealed) if self.sealed.contains(&number) => {
+                self.refused_seals += 1;
+                let wanted = self.pending.as_ref().is_some_and(|pending| pending.number == number);
+                let asked = self.questions.back().is_some_and(|last| now_s - last.asked_s < ANSWER_TIMEOUT_S);
+                if (wanted || self.refused_seals >= REFUSED_SEALS) && !asked {
+                    self.refused_seals = 0;
+                    let number = self.next_number();
+                    remember(&mut self.questions, Question { number, asked_s: now_s, counter_only: true });
+                    self.transmit(line, number, Request::Identify)?;
+                }
             }
             _ => {}
         }
         Ok(())
-    }
-
-    /// Counts on above what the vehicle has taken, if it vouches for that.
-    fn take_counter(&mut self, identity: &Identity, ahead: u32) {
-        let vouched = |key| vouch(key, identity.session, identity.last_counter) == identity.last_counter_mac;
-        if self.key.as_ref().is_some_and(vouched) {
-            self.seals.exceed(identity.last_counter.saturating_add(ahead));
-        }
     }
 
     fn repeat(&mut self, line: &mut impl Line, now_s: f64) -> Result<(), ClientError> {
@@ -335,10 +373,7 @@ impl Client {
             self.pending = None;
             return Err(error);
         }
-        pending.tries += 1;
-        pending.sent_s = now_s;
-        let (number, request) = (pending.number, pending.request.clone());
-        Ok(self.transmit(line, number, request)?)
+        Ok(self.insist(line, now_s)?)
     }
 
     fn next_number(&mut self) -> u16 {
@@ -352,14 +387,18 @@ impl Client {
         number: u16,
         request: Request,
     ) -> Result<(), ConnectionError> {
-        // The younger its time, the older the request may become on its way.
-        self.hear(line)?;
+        // The younger its time, the longer the request may be on its way. A line that cannot be read is no reason to say nothing;
+        // whoever reads it hears of that.
+        if request.is_timed() {
+            let _ = self.hear(line);
+        }
         // Whoever is asked who he is may have been switched off and on since: no session is known for sure.
         let sealed = (request != Request::Identify).then_some(self.key.zip(self.session)).flatten();
         let uplink = Uplink { version: PROTOCOL_VERSION, number, heard_ms: self.heard_ms, request };
         let mut frame = Frame::new();
         match sealed {
             Some((key, session)) => {
+                remember(&mut self.sealed, number);
                 let counter = self.seals.next(seal_counter::now_s())?;
                 frame.fill_sealed(&uplink, |content| seal(&key, session, counter, content))
             }
@@ -374,6 +413,14 @@ impl Client {
         bytes.extend_from_slice(frame.as_bytes());
         line.send(&bytes)
     }
+}
+
+/// Adds one to those remembered; the oldest makes room.
+fn remember<T>(last: &mut VecDeque<T>, new: T) {
+    if last.len() >= REMEMBERED {
+        last.pop_front();
+    }
+    last.push_back(new);
 }
 
 /// Downloads the record, chunk by chunk: `call` asks the vehicle, `mismatch` says that its answer is none to the question.

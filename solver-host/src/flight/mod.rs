@@ -135,6 +135,8 @@ const FROZEN_POSE_S: f64 = 0.2;
 const RECOVERY_TIMEOUT: Duration = Duration::from_secs(7);
 /// Times an emergency stop is sent.
 const STOP_TRIES: u32 = 20;
+/// What passes at least between two of them where no pose tells the time, s.
+const STOP_PERIOD_S: f64 = 0.01;
 
 /// Flies a table. The vehicle stands on the ground, level, below the start.
 ///
@@ -355,11 +357,18 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
     /// Whatever went wrong: motors off. Needs no working cameras; the vehicle's own timeouts stand behind this.
     fn stop(&mut self) {
         for _ in 0..STOP_TRIES {
-            let asked = self.client.ask(self.connection, Request::EmergencyStop, self.now_s);
+            // One number for all of them: the answer to the first may come when the last is said.
+            let _ = if self.client.is_waiting_for(&Request::EmergencyStop) {
+                self.client.insist(self.connection, self.now_s)
+            } else {
+                self.client.ask(self.connection, Request::EmergencyStop, self.now_s)
+            };
             // Time passes in here, with a pose or without.
-            let _ = self.connection.next_pose();
-            let answer = self.client.poll(self.connection, self.now_s);
-            if asked.is_ok() && matches!(answer, Ok(Some(_))) {
+            self.now_s = match self.connection.next_pose() {
+                Ok(pose) => pose.arrived_s,
+                Err(_) => self.now_s + STOP_PERIOD_S,
+            };
+            if matches!(self.client.poll(self.connection, self.now_s), Ok(Some(_))) {
                 return;
             }
         }

@@ -1,18 +1,21 @@
 //! Counters of seals: above every earlier one, of this program and of those beside it.
 //!
-//! They follow the computer's clock, so that programs of one computer may come, go and run side by side without a word. Where
-//! the clock has been set back, or another computer's is ahead, the vehicle tells the last counter it took, and they go on
-//! above that. The counter has 32 bits: the clock's part of it begins anew every [`EPOCH`] counts, 99 days; who is above it then
-//! counts on by one a seal, in a part of the numbers that no clock comes to.
+//! They follow the computer's clock, so that programs of one computer may come, go and run side by side without a word; where two
+//! seal in the same instant one of them seals again. Where the clock has been set back, or another computer's is ahead, the
+//! vehicle tells the last counter it took, and this clock is put forward by as much. The counter has 32 bits: the clock begins
+//! anew every [`EPOCH`] counts, 99 days; who is above it then goes on in a part of the numbers that no clock comes to.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Counts of the clock, 1/s: more than one program seals.
 const RATE_HZ: f64 = 500.0;
-/// Numbers above those of the clock: fifteen hours of seals at 300 a second, for a vehicle that meets the end of an epoch.
+/// Numbers above those of the clock: nine hours of it, for a vehicle that meets the end of an epoch.
 const RESERVE: u64 = 1 << 24;
 /// Counts of the clock until it begins anew.
 const EPOCH: u64 = (1 << 32) - RESERVE;
+
+/// What a stop goes ahead of the clock, counts: ten seconds. Whatever other programs seal while it is on its way, it counts.
+const STOP_AHEAD: u32 = 5000;
 
 /// A vehicle takes no seal any more that anybody can make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -23,6 +26,8 @@ pub struct SealsUsedUp;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct SealCounter {
     last: u32,
+    /// What this clock was put forward by, counts.
+    ahead: u32,
 }
 
 impl SealCounter {
@@ -31,14 +36,28 @@ impl SealCounter {
     /// # Errors
     /// [`SealsUsedUp`] where there is none above the last.
     pub(super) fn next(&mut self, unix_s: f64) -> Result<u32, SealsUsedUp> {
-        let by_clock = (counts(unix_s) % EPOCH) as u32;
-        self.last = self.last.checked_add(1).ok_or(SealsUsedUp)?.max(by_clock);
+        self.last = self.last.checked_add(1).ok_or(SealsUsedUp)?.max(self.by_clock(unix_s));
         Ok(self.last)
     }
 
-    /// Goes on above this one.
-    pub(super) fn exceed(&mut self, last: u32) {
-        self.last = self.last.max(last);
+    /// The next seal is a stop's.
+    pub(super) fn hurry(&mut self, unix_s: f64) {
+        self.last = self.last.max(self.by_clock(unix_s)).saturating_add(STOP_AHEAD);
+    }
+
+    /// The vehicle took this one last when it was asked, so long ago, s. Where that is ahead of this clock, the clock is put
+    /// forward to where the other one is now, and the time of some messages beyond.
+    pub(super) fn catch_up(&mut self, last: u32, ago_s: f64, unix_s: f64) {
+        const BEYOND_S: f64 = 0.02;
+        let behind = last.saturating_sub(self.by_clock(unix_s));
+        if behind > 0 {
+            let since = ((ago_s.clamp(0.0, 60.0) + BEYOND_S) * RATE_HZ) as u32;
+            self.ahead = self.ahead.saturating_add(behind).saturating_add(since);
+        }
+    }
+
+    fn by_clock(&self, unix_s: f64) -> u32 {
+        ((counts(unix_s) % EPOCH) as u32).saturating_add(self.ahead)
     }
 }
 
@@ -94,29 +113,72 @@ mod tests {
 
     /// Told the vehicle's last counter, a program is heard whatever its clock says: at the end of an epoch, or set back a year.
     #[test]
-    fn a_program_goes_on_above_the_vehicle() {
+    fn a_program_catches_up_with_the_vehicle() {
         let mut last = 0;
         let before = SealCounter::default().next(END_S - 0.01).expect("there are more");
         assert!(u64::from(before) > EPOCH - 10 && taken(&mut last, before));
         for unix_s in [END_S + 0.01, END_S + 3600.0, END_S - 3e7, 0.0] {
             let mut counter = SealCounter::default();
             assert!(!taken(&mut last, counter.next(unix_s).expect("there are more")), "{unix_s}");
-            counter.exceed(last);
+            counter.catch_up(last, 0.1, unix_s);
             assert!(taken(&mut last, counter.next(unix_s).expect("there are more")), "{unix_s}");
         }
-        // What it hears of an older time takes nothing back.
-        let mut counter = SealCounter { last: 70 };
-        counter.exceed(50);
-        assert_eq!(counter.next(0.0), Ok(71));
+    }
+
+    /// What is heard of a time that this clock has passed changes nothing: who is told so often runs away from nobody.
+    #[test]
+    fn a_clock_that_is_right_is_not_put_forward() {
+        let mut counter = SealCounter::default();
+        let now = counter.next(END_S + 100.0).expect("there are more");
+        for ago_s in [0.0, 0.5, f64::NAN, -3.0, 1e9] {
+            counter.catch_up(now, ago_s, END_S + 100.0);
+        }
+        assert_eq!(counter.next(END_S + 100.0), Ok(now + 1));
+        assert_eq!(counter.next(END_S + 101.0), Ok(now + 500));
+    }
+
+    /// Put forward, two clocks that differ by a day stay side by side: of seals sent in turn nearly all are heard.
+    #[test]
+    fn clocks_that_differ_meet() {
+        let (mut right, mut late, mut last) = (SealCounter::default(), SealCounter::default(), 0);
+        let (mut heard, mut told) = (0, 0);
+        for step in 0..6000 {
+            let unix_s = END_S + 1e5 + f64::from(step) * 0.01;
+            let ahead = taken(&mut last, right.next(unix_s + 86_400.0).expect("there are more"));
+            heard += u32::from(ahead);
+            if step % 5 == 3 {
+                // A round trip of 40 ms, of which the vehicle's word has been under way for half.
+                if !taken(&mut last, late.next(unix_s).expect("there are more")) {
+                    told += 1;
+                    late.catch_up(last, 0.04, unix_s);
+                }
+            }
+        }
+        assert!(heard > 3500 && told < 3, "{heard} of 6000 heard, told {told} times");
+    }
+
+    #[test]
+    fn a_stop_is_ahead_of_whoever_is_at_work() {
+        let (mut flight, mut stop, mut last) = (SealCounter::default(), SealCounter::default(), 0);
+        for step in 0..900 {
+            taken(&mut last, flight.next(END_S + 50.0 + f64::from(step) * 0.01).expect("there are more"));
+        }
+        // Made before the flight went on for nine seconds.
+        stop.hurry(END_S + 50.0);
+        assert!(taken(&mut last, stop.next(END_S + 50.0).expect("there are more")));
     }
 
     #[test]
     fn the_last_number_is_not_used_twice() {
-        let mut counter = SealCounter { last: u32::MAX - 1 };
+        let mut counter = SealCounter { last: u32::MAX - 1, ahead: 0 };
         assert_eq!(counter.next(END_S), Ok(u32::MAX));
         assert_eq!(counter.next(END_S), Err(SealsUsedUp));
         assert_eq!(counter.next(END_S + 1000.0), Err(SealsUsedUp));
         // A clock before 1970 counts as 1970.
         assert_eq!(SealCounter::default().next(-1.0), Ok(1));
+        // Put forward beyond all numbers it ends there.
+        let mut counter = SealCounter { last: 0, ahead: u32::MAX };
+        counter.hurry(END_S);
+        assert_eq!(counter.next(END_S), Err(SealsUsedUp));
     }
 }

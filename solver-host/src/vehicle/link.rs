@@ -8,6 +8,9 @@ use crate::port::{Port, PortError};
 /// A write that takes longer than this has failed. A setpoint older than that is worth nothing.
 const WRITE_TIMEOUT: Duration = Duration::from_millis(100);
 
+/// Most pieces that are read at once.
+const MOST_READS: usize = 64;
+
 /// Where time passes while one waits for an answer.
 pub trait Link: Line {
     /// Time on this link's clock, s.
@@ -49,7 +52,12 @@ impl Line for PortLink {
 
     fn receive(&mut self, into: &mut Vec<u8>) -> Result<(), ConnectionError> {
         into.append(&mut self.arrived);
-        self.port.read(into, Duration::ZERO)?;
+        // A datagram a call: what waits must not age here. No more than any line brings in the time of a pose.
+        for _ in 0..MOST_READS {
+            if self.port.read(into, Duration::ZERO)? == 0 {
+                break;
+            }
+        }
         Ok(())
     }
 }
