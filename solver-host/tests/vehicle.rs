@@ -12,7 +12,7 @@ use mintime::port::{Port, PortError};
 use mintime::solver::{Request, solve};
 use mintime::vehicle::{PortLink, Session, SessionError};
 use mintime_shared::messages::{FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, Refusal};
-use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable, TableError};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::Value;
 use served::{By, Faults, Served};
@@ -45,6 +45,16 @@ fn converse(port: &str) {
     let table = table();
     let (checksum, duration_s) = session.upload(&table).expect("uploaded and read back");
     assert!((duration_s - table.duration_s()).abs() < 1e-6);
+    // It was for any vehicle, and is this one's own now; what is another's is not uploaded.
+    let made_for = |vehicle| {
+        let mut table = table.clone();
+        table.vehicle = vehicle;
+        table
+    };
+    let flown = ManeuverTable::decode(&session.read_table().expect("it answers")).expect("a table");
+    assert_eq!((flown.checksum(), &flown), (checksum, &made_for(heavier.hash())));
+    let refused = session.upload(&made_for(VehicleConfig::REFERENCE.hash())).expect_err("of a lighter one");
+    assert!(matches!(refused, SessionError::Table(TableError::OtherVehicle)), "{refused}");
     for name in ["hop", "an-exact-16-byte"] {
         session.store(name, checksum).expect("stored");
     }

@@ -251,6 +251,7 @@ fn every_variant_stands_under_its_number() {
         T::End,
         T::BeyondVehicle,
         T::Gravity,
+        T::AnyVehicle,
     ];
     all_are_listed("### Table errors", &tables);
     all_are_listed("### Events", &happenings());
