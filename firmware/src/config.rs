@@ -2,7 +2,7 @@
 
 pub mod control;
 
-use mintime_shared::messages::BoardTelemetry;
+use mintime_shared::messages::{BoardTelemetry, REQUEST_AGE_MS};
 pub use mintime_shared::vehicle::{MOTOR_COUNT, VehicleConfig};
 
 /// What the board can do. What it cannot do blocks arming.

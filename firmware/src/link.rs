@@ -12,6 +12,9 @@ use mintime_shared::seal::{self, PairingKey};
 
 use crate::flight::{Inbox, Outbox};
 
+/// Ticks from one question of a stranger that is taken to the next: 20 ms. Each costs the line an answer that is six times as long.
+const QUESTION_TICKS: u8 = 16;
+
 /// Both directions of one link.
 #[derive(Debug, Default)]
 pub struct Link {
@@ -25,6 +28,8 @@ pub struct Link {
     session: u32,
     /// Counter of the last seal taken.
     last_counter: u32,
+    /// Ticks until a stranger's question is taken again.
+    deaf_ticks: u8,
     /// Requests that were not sealed and wait for being told so.
     unsealed: Deque<u16, 2>,
 }
@@ -39,6 +44,7 @@ impl Link {
             errors: 0,
             session: 0,
             last_counter: 0,
+            deaf_ticks: 0,
             unsealed: Deque::new(),
         }
     }
@@ -84,8 +90,12 @@ impl Link {
                             if !harmless {
                                 let _ = self.unsealed.push_back(uplink.number);
                             }
-                            // A stranger takes no room that the host may need: he asks again.
-                            harmless && inbox.is_empty()
+                            // A stranger takes neither room that the host may need nor much of the line: he asks again.
+                            let taken = harmless && inbox.is_empty() && self.deaf_ticks == 0;
+                            if taken {
+                                self.deaf_ticks = QUESTION_TICKS;
+                            }
+                            taken
                         }),
                     },
                 },
@@ -98,6 +108,7 @@ impl Link {
     /// Fills `out` with what is to be sent and returns how many bytes that is.
     #[inline(never)]
     pub fn transmit(&mut self, outbox: &mut Outbox, out: &mut [u8]) -> usize {
+        self.deaf_ticks = self.deaf_ticks.saturating_sub(1);
         let mut written = 0;
         while let Some(room) = out.get_mut(written..).filter(|room| !room.is_empty()) {
             if self.sent == self.frame.as_bytes().len() {

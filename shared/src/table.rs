@@ -12,7 +12,7 @@
 //! | bytes | field |
 //! |---|---|
 //! | 4 | schema hash: this layout |
-//! | 4 | vehicle hash: whom it was made for, 0 for any |
+//! | 4 | vehicle hash: whom it was made for, 0 for any: then no vehicle takes it yet |
 //! | 1 | kind: extremal 0, retimed 1, learned 2 |
 //! | 1 | what to do where the link is lost on the way: finish 0, abandon 1 |
 //! | 16 | limits it was planned with: thrust min, max (m/s²), rate (rad/s), gravity (m/s²), each `f32` |
@@ -38,7 +38,8 @@ pub const MAX_SEGMENTS: usize = 24;
 pub const MAX_TABLE_BYTES: usize = 204;
 /// Longest maneuver accepted, s. A table is a maneuver, not a mission.
 pub const MAX_DURATION_S: f32 = 10.0;
-/// Vehicle hash of a table that any vehicle may fly within its own limits.
+/// Vehicle hash of a table for any vehicle: none takes it before a host has made it that vehicle's own,
+/// [`ManeuverTable::assigned_to`].
 pub const ANY_VEHICLE: u32 = 0;
 
 /// Identifies the layout above; changes with every change of it.
@@ -257,6 +258,11 @@ pub enum TableError {
     /// Planned for another gravity than the vehicle's.
     #[error("the table was planned with another gravity than the vehicle flies in: plan it with 9.81 m/s²")]
     Gravity,
+    /// Made for [`ANY_VEHICLE`]: nobody has said yet that this one shall fly it.
+    #[error(
+        "the table is for any vehicle: mintime makes it one vehicle's own when it uploads it, once that vehicle has been told what it is (mintime vehicle ... params)"
+    )]
+    AnyVehicle,
 }
 
 /// How far the exact motion may miss the stated end.
@@ -417,12 +423,29 @@ impl ManeuverTable {
         if arrives { Ok(()) } else { Err(TableError::End) }
     }
 
-    /// Whether this vehicle may fly it: made for it, or for any, and within what it can do.
+    /// The same table for one vehicle, by its hash: one for any vehicle becomes its own, one of its own stays as it is. For
+    /// hosts, where somebody decides that a maneuver is meant for this vehicle.
     ///
     /// # Errors
-    /// [`TableError::OtherVehicle`], [`TableError::BeyondVehicle`].
+    /// Those of [`Self::check_for`]; [`TableError::AnyVehicle`] for a hash that is none.
+    pub fn assigned_to(&self, vehicle: u32, able: &PlanLimits) -> Result<Self, TableError> {
+        let mut table = self.clone();
+        if table.vehicle == ANY_VEHICLE {
+            table.vehicle = vehicle;
+        }
+        table.check_for(vehicle, able)?;
+        Ok(table)
+    }
+
+    /// Whether this vehicle may fly it: made for it, and within what it can do.
+    ///
+    /// # Errors
+    /// [`TableError::AnyVehicle`], [`TableError::OtherVehicle`], [`TableError::Gravity`], [`TableError::BeyondVehicle`].
     pub fn check_for(&self, vehicle: u32, able: &PlanLimits) -> Result<(), TableError> {
-        if self.vehicle != ANY_VEHICLE && self.vehicle != vehicle {
+        if self.vehicle == ANY_VEHICLE {
+            return Err(TableError::AnyVehicle);
+        }
+        if self.vehicle != vehicle {
             return Err(TableError::OtherVehicle);
         }
         if (self.limits.gravity_mps2 - able.gravity_mps2).abs() > GRAVITY_TOLERANCE_MPS2 {

@@ -75,7 +75,10 @@ pub enum VehicleError {
     #[error("arms must be 0.01 to 1 m long, reaction torque over thrust 0.001 to 0.2 m")]
     Geometry,
     /// Rotor thrusts out of order, or too little to hover with torque in reserve.
-    #[error("rotor thrusts: 0 < idle < max, and four rotors must lift 1.3 times the weight at least")]
+    #[error(
+        "rotor thrusts: above 0 and below the maximum at idle, four rotors at most a quarter of the weight at idle and at least \
+         1.3 times the weight at the maximum"
+    )]
     Thrust,
     /// Thrust map or lag out of range.
     #[error("the thrust map's linear part must be 0 to 1, the rotor lag 0.001 to 0.2 s")]
@@ -138,8 +141,12 @@ impl VehicleConfig {
         ensure(arm.contains(&self.arm_forward_m) && arm.contains(&self.arm_left_m) && ratio, E::Geometry)?;
         let weight_n = self.mass_kg * GRAVITY_MPS2 as f32;
         let lift_n = self.rotor_thrust_max_n * MOTOR_COUNT as f32;
-        let order = self.rotor_thrust_idle_n > 0.0 && self.rotor_thrust_idle_n < self.rotor_thrust_max_n;
-        ensure(order && lift_n >= 1.3 * weight_n, E::Thrust)?;
+        // At idle nothing lifts, not even on a full battery: that is as far as arming goes by itself.
+        let idle_n = self.rotor_thrust_idle_n * MOTOR_COUNT as f32;
+        let idle = self.rotor_thrust_idle_n > 0.0
+            && self.rotor_thrust_idle_n < self.rotor_thrust_max_n
+            && idle_n <= 0.25 * weight_n;
+        ensure(idle && lift_n >= 1.3 * weight_n, E::Thrust)?;
         let lag = (0.001..=0.2).contains(&self.rotor_lag_s);
         ensure((0.0..=1.0).contains(&self.thrust_linear_share) && lag, E::Rotor)?;
         let rising = 2.0 < self.battery_critical_v

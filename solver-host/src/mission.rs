@@ -305,7 +305,7 @@ pub fn prepare_for(
         Source::Learned { heading_rad, .. } => *heading_rad,
         Source::Solve { .. } | Source::Table(_) => f64::from(table.heading_rad),
     };
-    table.check_for(config.hash(), &config.plan_limits())?;
+    let table = table.assigned_to(config.hash(), &config.plan_limits())?;
     let State { vx, vz, theta, .. } = table.start;
     if vx != 0.0 || vz != 0.0 || theta != 0.0 {
         return Err(MissionError::NotFromRest);

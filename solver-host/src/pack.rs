@@ -1,9 +1,12 @@
 //! From a verified extremal to the table that a vehicle flies, and the proof that the table arrives.
 
-use mintime_shared::model::{RateMode, Segment, State};
+use mintime_shared::messages::Identity;
+use mintime_shared::model::{GRAVITY_MPS2, RateMode, Segment, State};
 use mintime_shared::motion;
 use mintime_shared::replay::{Command, Plan, Replay, Step, TICK_PERIOD_US, TickPeriod};
-use mintime_shared::table::{ArcProfile, Kind, LinkPolicy, ManeuverTable, TableError, TableHeader};
+use mintime_shared::table::{
+    ArcProfile, Kind, LinkPolicy, ManeuverTable, PlanLimits, TableError, TableHeader,
+};
 
 use crate::solver::Extremal;
 
@@ -64,6 +67,21 @@ pub fn pack(extremal: &Extremal, vehicle: u32, heading_rad: f64) -> Result<Maneu
     } else {
         Err(PackError::Replay { position_m, velocity_mps, angle_rad })
     }
+}
+
+/// A table for the vehicle that said who it is: one for any vehicle becomes its own. Whoever uploads a table to a vehicle says
+/// that it is meant for it.
+///
+/// # Errors
+/// [`TableError`]: made for another one, or beyond what this one can do; or the vehicle does not know what it is.
+pub fn for_vehicle(table: &ManeuverTable, identity: &Identity) -> Result<ManeuverTable, TableError> {
+    let able = PlanLimits {
+        thrust_min_mps2: identity.thrust_min_mps2,
+        thrust_max_mps2: identity.thrust_max_mps2,
+        rate_max_radps: identity.rate_max_radps,
+        gravity_mps2: GRAVITY_MPS2 as f32,
+    };
+    table.assigned_to(identity.vehicle, &able)
 }
 
 /// Where the replay of a table at 800 Hz ends, from a given start: the vehicle's own code in `f32`, a perfect plant in

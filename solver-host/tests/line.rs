@@ -4,9 +4,11 @@
 mod served;
 
 use std::process::Command;
-use std::time::Duration;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
-use mintime::flight::ClientError;
+use mintime::flight::{Client, ClientError, ConnectionError, Line};
 use mintime::vehicle::{PortLink, Session, SessionError, key_text};
 use mintime_shared::framing::{Decoder, Frame, encode, parse};
 use mintime_shared::messages::{
@@ -17,7 +19,8 @@ use mintime_shared::seal::seal;
 use serde_json::Value;
 use served::{By, Faults, Served};
 
-const GOOD: Faults = Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO };
+const GOOD: Faults =
+    Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO, delay: Duration::ZERO };
 
 /// A line that stalls and then delivers everything starts no motor, however often it was asked.
 #[test]
@@ -101,6 +104,85 @@ fn programs_that_disagree_on_the_time_are_heard() {
     let (mut early, heard) = at_work.join().expect("no panic");
     assert!(heard >= 15, "{heard} of 20");
     assert_eq!(early.status().expect("heard").state, FlightState::Terminated);
+}
+
+/// A paired vehicle is stopped over a line of any length, also while another program flies it, and at once.
+#[test]
+fn a_stop_gets_through_however_long_the_line_is() {
+    let key = *b"a key of sixteen";
+    let directory = tempfile::tempdir().expect("a directory");
+    let file = directory.path().join("key");
+    std::fs::write(&file, key_text(&key)).expect("written");
+    let file = file.display().to_string();
+    for way_ms in [0, 25, 50, 125] {
+        let served = Served::new(By::Udp, Faults { delay: Duration::from_millis(way_ms), ..GOOD });
+        let open = |key| Session::begin(PortLink::open(&served.port).expect("a port"), key);
+        open(None).expect("a vehicle").pair(Some(key)).expect("paired");
+        let mut flight = open(Some(key)).expect("it says who it is");
+        let over = Arc::new(AtomicBool::new(false));
+        let ends = Arc::clone(&over);
+        // A hundred a second, as a flight streams.
+        let streams = std::thread::spawn(move || {
+            while !ends.load(Ordering::Relaxed) {
+                flight.heartbeat().expect("a line");
+                flight.listen(0.01).expect("a line");
+            }
+        });
+        std::thread::sleep(Duration::from_millis(200));
+        let stop = ["stop", &served.port, "--key", &file, "--json"];
+        let began = Instant::now();
+        let output = Command::new(env!("CARGO_BIN_EXE_mintime")).args(stop).output().expect("it starts");
+        let took = began.elapsed();
+        over.store(true, Ordering::Relaxed);
+        streams.join().expect("no panic");
+        let stopped: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(stopped["stopped"], true, "{way_ms} ms: {stopped}");
+        // Who it is, the stop, and the word of it: two round trips; the rest is this machine's.
+        assert!(took < Duration::from_millis(4 * way_ms + 400), "{way_ms} ms: {took:?}");
+    }
+}
+
+/// Programs of one computer do not push each other aside: neither the one that streams nor the one that asks.
+#[test]
+fn programs_with_one_clock_share_a_line() {
+    let key = [9; 16];
+    for way_ms in [2, 20, 50] {
+        let served = Served::new(By::Udp, Faults { delay: Duration::from_millis(way_ms), ..GOOD });
+        let open = |key| Session::begin(PortLink::open(&served.port).expect("a port"), key);
+        open(None).expect("a vehicle").pair(Some(key)).expect("paired");
+        let mut flight = open(Some(key)).expect("it says who it is");
+        let mut other = open(Some(key)).expect("it says who it is");
+        let asks = std::thread::spawn(move || (0..10).filter(|_| other.status().is_ok()).count());
+        while !asks.is_finished() {
+            flight.heartbeat().expect("a line");
+            flight.listen(0.01).expect("a line");
+        }
+        assert_eq!(asks.join().expect("no panic"), 10, "{way_ms} ms");
+        let errors = flight.client().telemetry().expect("heard").link_errors;
+        assert!(errors < 20, "{errors} seals refused");
+    }
+}
+
+/// A stop is said also where nothing can be heard any more.
+#[test]
+fn a_line_that_cannot_be_read_is_written_to() {
+    struct Mute(Vec<u8>);
+    impl Line for Mute {
+        fn send(&mut self, bytes: &[u8]) -> Result<(), ConnectionError> {
+            self.0.extend_from_slice(bytes);
+            Ok(())
+        }
+        fn receive(&mut self, _: &mut Vec<u8>) -> Result<(), ConnectionError> {
+            Err(std::io::Error::from(std::io::ErrorKind::UnexpectedEof).into())
+        }
+    }
+    for request in [Request::EmergencyStop, Request::Disarm, Request::Heartbeat] {
+        let mut line = Mute(Vec::new());
+        let mut client = Client::default();
+        client.ask(&mut line, request, 0.0).expect("it is sent");
+        assert!(line.0.len() > 5);
+        client.poll(&mut line, 0.01).expect_err("and the line's failure told");
+    }
 }
 
 /// A counter for which the vehicle does not vouch is a stranger's: it uses up nobody's numbers.

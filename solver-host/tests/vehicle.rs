@@ -12,15 +12,21 @@ use mintime::port::{Port, PortError};
 use mintime::solver::{Request, solve};
 use mintime::vehicle::{PortLink, Session, SessionError};
 use mintime_shared::messages::{FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, Refusal};
-use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable};
+use mintime_shared::table::{ANY_VEHICLE, MAX_TABLE_BYTES, ManeuverTable, TableError};
 use mintime_shared::vehicle::VehicleConfig;
 use serde_json::Value;
 use served::{By, Faults, Served};
 
-const GOOD: Faults = Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO };
+const GOOD: Faults =
+    Faults { loss: 0.0, twice: 0.0, held_up: Duration::ZERO, burst: Duration::ZERO, delay: Duration::ZERO };
 /// A radio on a bad day.
-const BAD: Faults =
-    Faults { loss: 0.15, twice: 0.1, held_up: Duration::from_millis(12), burst: Duration::ZERO };
+const BAD: Faults = Faults {
+    loss: 0.15,
+    twice: 0.1,
+    held_up: Duration::from_millis(12),
+    burst: Duration::ZERO,
+    delay: Duration::ZERO,
+};
 /// Wi-Fi that saves power.
 const BURSTS: Faults = Faults { loss: 0.05, burst: Duration::from_millis(50), ..GOOD };
 
@@ -45,6 +51,16 @@ fn converse(port: &str) {
     let table = table();
     let (checksum, duration_s) = session.upload(&table).expect("uploaded and read back");
     assert!((duration_s - table.duration_s()).abs() < 1e-6);
+    // It was for any vehicle, and is this one's own now; what is another's is not uploaded.
+    let made_for = |vehicle| {
+        let mut table = table.clone();
+        table.vehicle = vehicle;
+        table
+    };
+    let flown = ManeuverTable::decode(&session.read_table().expect("it answers")).expect("a table");
+    assert_eq!((flown.checksum(), &flown), (checksum, &made_for(heavier.hash())));
+    let refused = session.upload(&made_for(VehicleConfig::REFERENCE.hash())).expect_err("of a lighter one");
+    assert!(matches!(refused, SessionError::Table(TableError::OtherVehicle)), "{refused}");
     for name in ["hop", "an-exact-16-byte"] {
         session.store(name, checksum).expect("stored");
     }

@@ -4,7 +4,8 @@ pub mod fuzz;
 
 use mintime_shared::minimum_principle::Costate;
 use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
-use mintime_shared::table::{ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, ManeuverTable, TableHeader};
+use mintime_shared::table::{ArcProfile, Kind, LinkPolicy, ManeuverTable, TableHeader};
+use mintime_shared::vehicle::VehicleConfig;
 use serde::Deserialize;
 
 /// One maneuver whose duration, structure and costate were computed and checked by an independent solver.
@@ -106,7 +107,7 @@ impl From<Raw> for ReferenceCase {
 }
 
 impl ReferenceCase {
-    /// The table that this maneuver packs into.
+    /// The table that this maneuver packs into, for the worked vehicle, [`VehicleConfig::REFERENCE`].
     ///
     /// # Panics
     /// Where it does not: a defect of the table code.
@@ -115,7 +116,7 @@ impl ReferenceCase {
         let arcs =
             singular.then(|| ArcProfile::from_costate(&self.costate, &self.limits).expect("arc profile"));
         let header = TableHeader {
-            vehicle: ANY_VEHICLE,
+            vehicle: VehicleConfig::REFERENCE.hash(),
             kind: Kind::Extremal,
             link: LinkPolicy::Finish,
             limits: self.limits.cast(),

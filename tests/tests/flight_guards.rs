@@ -84,11 +84,13 @@ fn saturated_rotors_end_the_maneuver() {
     for before in [HOVER, Setpoint { thrust_mps2: 60.0, ..HOVER }] {
         let mut bench = Bench::of(FlightLogic::new(Some(weak), BOTH, vec![[0; RECORD_BYTES]; 3200]));
         bench.run(900);
-        bench.commit(&table());
+        let mut table = table();
+        table.vehicle = weak.hash();
+        bench.commit(&table);
         bench.arm();
         bench.stream = Some(before);
         bench.run(200);
-        assert_eq!(bench.trigger(), Reply::Done);
+        assert_eq!(bench.ask(Request::Trigger { checksum: table.checksum() }), Reply::Done);
         for _ in 0..400 {
             if bench.logic.state() != FlightState::Maneuver {
                 break;

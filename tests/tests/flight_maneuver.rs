@@ -7,7 +7,7 @@ use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::FlightLogic;
 use mintime_shared::messages::{FlightState, Purpose, RECORD_BYTES, Refusal, Reply, Request, Setpoint};
 use mintime_shared::replay::{Plan, Replay, Step, TickPeriod};
-use mintime_shared::table::{ManeuverTable, TableError};
+use mintime_shared::table::{ANY_VEHICLE, ManeuverTable, TableError};
 use mintime_tests::reference_cases;
 
 const ALL_STATES: [FlightState; 9] = FlightState::ALL;
@@ -64,27 +64,28 @@ fn a_refused_table_leaves_the_old_one() {
     assert_eq!(try_bytes(&mut bench, &good, checksum), Refusal::Table(TableError::Checksum));
     let foreign = made_for(VehicleConfig::REFERENCE.hash() ^ 1);
     assert_eq!(try_bytes(&mut bench, &foreign.0, foreign.1), Refusal::Table(TableError::OtherVehicle));
+    let nobodys = made_for(ANY_VEHICLE);
+    assert_eq!(try_bytes(&mut bench, &nobodys.0, nobodys.1), Refusal::Table(TableError::AnyVehicle));
     assert_eq!(bench.read_table(), before);
     assert_eq!(bench.telemetry().table, checksum);
 
-    let own = made_for(VehicleConfig::REFERENCE.hash());
-    bench.stage(&own.0);
-    assert!(matches!(bench.ask(Request::CommitTable { checksum: own.1 }), Reply::Committed { .. }));
-    assert_eq!(bench.read_table(), own.0);
+    let own = table_of("horizontal_5");
+    bench.commit(&own);
+    assert_eq!(bench.read_table()[..], bytes_of(&own)[..]);
 }
 
 /// A table within its own limits, beyond this vehicle's.
 #[test]
 fn a_table_beyond_the_vehicle_is_refused() {
     use mintime_shared::model::{Inputs, Limits, RateMode, Segment, State, ThrustLevel};
-    use mintime_shared::table::{ANY_VEHICLE, Kind, LinkPolicy, TableHeader};
+    use mintime_shared::table::{Kind, LinkPolicy, TableHeader};
     for (thrust_max_mps2, rate_max_radps, fits) in
         [(30.0, 15.0, true), (30.1, 15.0, false), (30.0, 15.1, false)]
     {
         let limits = Limits { thrust_min_mps2: 1.0, thrust_max_mps2, rate_max_radps, gravity_mps2: 9.81 };
         let inputs = Inputs { rate: RateMode::Plus, thrust: ThrustLevel::Max };
         let header = TableHeader {
-            vehicle: ANY_VEHICLE,
+            vehicle: VehicleConfig::REFERENCE.hash(),
             kind: Kind::Learned,
             link: LinkPolicy::Finish,
             limits,

@@ -374,10 +374,12 @@ fn damaged(keys: &[Key]) -> Bench {
 #[test]
 fn damage_that_waits_to_be_acknowledged_keeps_the_store_as_it_is() {
     let mut bench = damaged(&[Key::Settings]);
-    bench.commit(&table());
+    let mut own = table();
+    own.vehicle = bench.logic.config().hash();
+    bench.commit(&own);
     let heavier = VehicleConfig { mass_kg: 0.8, ..VehicleConfig::REFERENCE };
     let writes = [
-        store("flip"),
+        Request::StoreTable { name: name("flip"), checksum: own.checksum() },
         Request::WriteVehicle(heavier),
         Request::WriteSettings(Settings::DEFAULT),
         Request::Pair(Some([7; 16])),

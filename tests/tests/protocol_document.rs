@@ -2,9 +2,10 @@
 //! message, the number of every variant, and a vehicle file that a vehicle takes.
 
 use heapless::Vec as Few;
+use mintime_firmware::config::{INBOX, INCIDENTS, OUTBOX, REPEATED_US, TELEMETRY_RANGE_MS};
 use mintime_shared::framing::Frame;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS_PER_CHUNK, Event,
+    AbortReason, ArmingBlock, BoardTelemetry, CalibrationError, Downlink, EVENTS, EVENTS_PER_CHUNK, Event,
     EventChunk, FlightState, GyroFault, Happening, Identity, Incident, IncidentCause, KillSwitch,
     MAX_CHUNK_BYTES, Message, PROTOCOL_VERSION, Purpose, RecordChunk, RecordedTick, Refusal, Reply, Request,
     STAGE_CHUNK_BYTES, Setpoint, StoredTable, TableName, Telemetry, Uplink, record_flags,
@@ -259,6 +260,7 @@ fn every_variant_stands_under_its_number() {
         T::End,
         T::BeyondVehicle,
         T::Gravity,
+        T::AnyVehicle,
     ];
     all_are_listed("### Table errors", &tables);
     all_are_listed("### Events", &happenings());
@@ -490,6 +492,26 @@ fn every_message_is_as_long_as_it_says() {
     assert!(DOCUMENT.contains(&format!("to {telemetry} bytes")), "telemetry: to {telemetry} bytes");
     let least = down(Message::Telemetry(Telemetry::default())).len();
     assert!(DOCUMENT.contains(&format!("{least} to")), "telemetry: {least} to");
+}
+
+/// How many of a kind are held at once, and for how long: the numbers in the prose.
+#[test]
+fn the_bounds_in_the_text_are_the_codes() {
+    let safety = include_str!("../../docs/safety.md");
+    let repeated_s = REPEATED_US / 1_000_000;
+    let (least_ms, most_ms) = TELEMETRY_RANGE_MS;
+    for (text, said) in [
+        (section("### Incident causes"), format!("Up to {INCIDENTS} wait")),
+        (safety, format!("up to {INCIDENTS} wait")),
+        (section("### Events"), format!("the last {EVENTS}")),
+        (DOCUMENT, format!("A tick takes at most {INBOX} requests")),
+        (DOCUMENT, format!("Up to {OUTBOX} messages wait for the line")),
+        (DOCUMENT, format!("interval `u16` ms, {least_ms} to {most_ms} |")),
+        (DOCUMENT, format!("at most {EVENTS_PER_CHUNK} [events](#events)")),
+        (DOCUMENT, format!("less than {repeated_s} s after it was last asked for")),
+    ] {
+        assert!(text.contains(&said), "the documents do not say: {said}");
+    }
 }
 
 /// Every field of the two files that a person writes stands in their tables.

@@ -259,12 +259,15 @@ fn cases() -> Vec<Case> {
     assert_eq!(weak.check(), Ok(()));
     let mut bench = Bench::of(FlightLogic::new(Some(weak), BOTH, vec![[0; RECORD_BYTES]; 10]));
     bench.run(900);
-    bench.commit(&table());
+    let mut its_own = table();
+    its_own.vehicle = weak.hash();
+    bench.commit(&its_own);
     bench.arm();
     bench.stream = Some(HOVER);
     bench.run(60);
     bench.battery_v = Some(13.1);
-    all.push(case(bench, trigger.clone(), Refusal::BatteryThrust, |bench| bench.battery_v = Some(15.5)));
+    let its_trigger = Request::Trigger { checksum: its_own.checksum() };
+    all.push(case(bench, its_trigger, Refusal::BatteryThrust, |bench| bench.battery_v = Some(15.5)));
     let mut tilted = flying(true);
     tilted.stream = Some(Setpoint { rates_radps: [0.0, 0.5, 0.0], ..HOVER });
     tilted.run(320);

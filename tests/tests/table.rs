@@ -11,6 +11,7 @@ use mintime_shared::table::{
     ANY_VEHICLE, ArcProfile, Kind, LinkPolicy, MAX_SEGMENTS, MAX_TABLE_BYTES, ManeuverTable, PlanLimits,
     SCHEMA_HASH, TableError, TableHeader,
 };
+use mintime_shared::vehicle::VehicleConfig;
 use mintime_tests::{ReferenceCase, reference_cases};
 use proptest::prelude::*;
 
@@ -318,7 +319,7 @@ fn every_reference_case_survives_the_wire() {
         let table = case.table();
         assert_eq!(ManeuverTable::decode(&bytes_of(&table)).as_ref(), Ok(&table), "{}", case.name);
         assert!((f64::from(table.duration_s()) - case.duration_s).abs() < 1e-6, "{}", case.name);
-        assert_eq!(table.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()), "{}", case.name);
+        assert_eq!(table.check_for(worked(), &able(1.0, 20.0, 10.0)), Ok(()), "{}", case.name);
     }
 }
 
@@ -341,9 +342,9 @@ fn the_bytes_of_five_five_are_these() {
     assert_eq!(hex, FIVE_FIVE);
 }
 
-const FIVE_FIVE: &str = "f870d22f0000000000000000803f0000a04100002041c3f51c41\
+const FIVE_FIVE: &str = "f870d22fc6423e2c00000000803f0000a04100002041c3f51c41\
     0000000000000000000000000000000000000000000000000000a040000000000000a0400000000000000000\
-    0176bd44bcdaa66c3f060478ff503d06666f393f05f59d983e066351a63d0470b41e3e00bc00d03d1d5fad15";
+    0176bd44bcdaa66c3f060478ff503d06666f393f05f59d983e066351a63d0470b41e3e00bc00d03d8f2b9451";
 
 /// Every reason at least once, for the input that it names. A new reason without a case here fails to compile.
 #[test]
@@ -413,9 +414,31 @@ fn every_refusal_has_its_reason() {
         ("another duration", longer_first(&table), TableError::End),
         (
             "another vehicle's",
-            forged(&table, |b| b[at::VEHICLE].copy_from_slice(&8u32.to_le_bytes()))
-                .and_then(|t| t.check_for(7, &able(1.0, 30.0, 15.0)).map(|()| t)),
+            made_for(&table, 8).check_for(7, &able(1.0, 30.0, 15.0)).map(|()| table.clone()),
             TableError::OtherVehicle,
+        ),
+        (
+            "another vehicle's, given to one",
+            made_for(&table, 8).assigned_to(7, &able(1.0, 30.0, 15.0)),
+            TableError::OtherVehicle,
+        ),
+        ("nobody's", fits(&made_for(&table, ANY_VEHICLE), able(1.0, 30.0, 15.0)), TableError::AnyVehicle),
+        (
+            "nobody's, for a vehicle that does not know what it is",
+            made_for(&table, ANY_VEHICLE)
+                .check_for(ANY_VEHICLE, &able(1.0, 30.0, 15.0))
+                .map(|()| table.clone()),
+            TableError::AnyVehicle,
+        ),
+        (
+            "nobody's, given to nobody",
+            made_for(&table, ANY_VEHICLE).assigned_to(ANY_VEHICLE, &able(1.0, 30.0, 15.0)),
+            TableError::AnyVehicle,
+        ),
+        (
+            "nobody's, given to one that is too weak",
+            made_for(&table, ANY_VEHICLE).assigned_to(7, &able(1.0, 19.9, 15.0)),
+            TableError::BeyondVehicle,
         ),
         ("too little thrust", fits(&table, able(1.01, 30.0, 15.0)), TableError::BeyondVehicle),
         ("too much thrust", fits(&table, able(1.0, 19.9, 15.0)), TableError::BeyondVehicle),
@@ -428,7 +451,7 @@ fn every_refusal_has_its_reason() {
         ("a vehicle of NaN thrust", fits(&table, able(1.0, nan, 15.0)), TableError::BeyondVehicle),
         ("a vehicle of NaN idle", fits(&table, able(nan, 30.0, 15.0)), TableError::BeyondVehicle),
     ];
-    let mut seen = [false; 16];
+    let mut seen = [false; 17];
     for (what, got, want) in cases {
         assert_eq!(got, Err(want), "{what}");
         let index = match want {
@@ -448,15 +471,30 @@ fn every_refusal_has_its_reason() {
             TableError::End => 13,
             TableError::BeyondVehicle => 14,
             TableError::Gravity => 15,
+            TableError::AnyVehicle => 16,
         };
         seen[index] = true;
         assert!(!want.to_string().is_empty());
     }
-    assert_eq!(seen, [true; 16]);
+    assert_eq!(seen, [true; 17]);
     // And the bounds themselves are inside.
-    assert_eq!(table.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()));
-    let own = forged(&table, |b| b[at::VEHICLE].copy_from_slice(&7u32.to_le_bytes())).expect("it decodes");
+    assert_eq!(table.check_for(worked(), &able(1.0, 20.0, 10.0)), Ok(()));
+    // What was for any vehicle is this one's now, and the same in all else; what is its own stays as it is.
+    let own = made_for(&table, 7);
     assert_eq!(own.check_for(7, &able(1.0, 20.0, 10.0)), Ok(()));
+    for table in [made_for(&table, ANY_VEHICLE), own.clone()] {
+        assert_eq!(table.assigned_to(7, &able(1.0, 20.0, 10.0)).as_ref(), Ok(&own));
+    }
+}
+
+/// Hash of the vehicle for which the reference maneuvers are packed.
+fn worked() -> u32 {
+    VehicleConfig::REFERENCE.hash()
+}
+
+/// The same table with another vehicle in its bytes.
+fn made_for(table: &ManeuverTable, vehicle: u32) -> ManeuverTable {
+    forged(table, |b| b[at::VEHICLE].copy_from_slice(&vehicle.to_le_bytes())).expect("it decodes")
 }
 
 fn able(thrust_min_mps2: f32, thrust_max_mps2: f32, rate_max_radps: f32) -> PlanLimits {
@@ -465,7 +503,7 @@ fn able(thrust_min_mps2: f32, thrust_max_mps2: f32, rate_max_radps: f32) -> Plan
 
 /// The table, if such a vehicle may fly it.
 fn fits(table: &ManeuverTable, able: PlanLimits) -> Result<ManeuverTable, TableError> {
-    table.check_for(7, &able).map(|()| table.clone())
+    table.check_for(worked(), &able).map(|()| table.clone())
 }
 
 fn without_profile(table: &ManeuverTable) -> Result<ManeuverTable, TableError> {

@@ -8,8 +8,8 @@ use std::hash::BuildHasher;
 
 use mintime_shared::framing::{Decoder, Frame};
 use mintime_shared::messages::{
-    Downlink, Identity, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply,
-    Request, Setpoint, Telemetry, Uplink,
+    Downlink, Message, PROTOCOL_VERSION, RECORD_BYTES, RecordChunk, RecordedTick, Refusal, Reply, Request,
+    Setpoint, Telemetry, Uplink,
 };
 use mintime_shared::seal::{PairingKey, seal, vouch};
 

@@ -37,6 +37,8 @@ use mintime_shared::replay::Plan;
 use mintime_shared::table::{MAX_TABLE_BYTES, ManeuverTable, TableError};
 use nalgebra::{UnitQuaternion, Vector3};
 
+use crate::pack::for_vehicle;
+
 /// The gate: largest tilt at which a maneuver is triggered, rad. The vehicle must stand on level ground before take-off:
 /// that is where the cameras learn what level is. A tilt δθ at the start moves the end of (5, 5) by
 /// 14.8 m/rad · δθ: 5 cm are 3.4 mrad.
@@ -210,7 +212,7 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
             self.call("telling the vehicle what it is", Request::WriteVehicle(vehicle))?;
             identity = self.identify()?;
         }
-        let checksum = self.upload(&plan.table)?;
+        let checksum = self.upload(&for_vehicle(&plan.table, &identity)?)?;
         self.arm()?;
         self.level();
 

@@ -174,7 +174,7 @@ pub fn plan(
     // One that was learned in flight knows better than the model.
     let learned = matches!(target, Target::Table { table, .. } if table.kind == Kind::Learned);
     let table = if learned { table } else { rehearse(&table, &response)? };
-    table.check_for(config.hash(), &config.plan_limits())?;
+    let table = table.assigned_to(config.hash(), &config.plan_limits())?;
     let (Target::Solve { heading_rad, .. } | Target::Table { heading_rad, .. }) = *target;
     Ok(LearningPlan { table, heading_rad, response, planned_duration_s, optimum_duration_s })
 }

@@ -11,6 +11,7 @@ use mintime_shared::vehicle::VehicleConfig;
 
 use super::link::Link;
 use crate::flight::{Client, ClientError, ConnectionError, download_record};
+use crate::pack::for_vehicle;
 
 /// An answer is looked for this often, s.
 const LOOK_S: f64 = 0.002;
@@ -162,6 +163,14 @@ impl<L: Link> Session<L> {
         }
     }
 
+    /// Says that the host is there; it is not answered.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn heartbeat(&mut self) -> Result<(), SessionError> {
+        Ok(self.client.heartbeat(&mut self.link)?)
+    }
+
     /// Listens for a while, and lets the vehicle hear that the host is there.
     ///
     /// # Errors
@@ -194,7 +203,8 @@ impl<L: Link> Session<L> {
         }
     }
 
-    /// Stages a table in chunks, commits it and reads it back. Returns its checksum and duration, s.
+    /// Stages a table in chunks, commits it and reads it back. A table for any vehicle becomes this one's own. Returns the
+    /// checksum, of what was uploaded, and the duration, s.
     ///
     /// # Errors
     /// [`SessionError`].
@@ -203,6 +213,7 @@ impl<L: Link> Session<L> {
         if self.identity.table_schema != SCHEMA_HASH {
             return Err(SessionError::Schema { theirs: self.identity.table_schema });
         }
+        let table = for_vehicle(table, &self.identity)?;
         let mut buffer = [0; MAX_TABLE_BYTES];
         let length = table.encode(&mut buffer)?;
         let sent = &buffer[..length];

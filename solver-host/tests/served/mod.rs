@@ -22,6 +22,8 @@ pub(crate) struct Faults {
     pub(crate) twice: f64,
     /// Chunks are held up by a random time up to this.
     pub(crate) held_up: Duration,
+    /// Chunks take this long.
+    pub(crate) delay: Duration,
     /// Chunks come in bursts with this between them.
     pub(crate) burst: Duration,
 }
@@ -197,7 +199,7 @@ impl Way {
         }
         let times = if self.chance() < self.faults.twice { 2 } else { 1 };
         for _ in 0..times {
-            let mut at = Instant::now() + self.faults.held_up.mul_f64(self.chance());
+            let mut at = Instant::now() + self.faults.delay + self.faults.held_up.mul_f64(self.chance());
             let burst = self.faults.burst.as_nanos();
             if let Some(bursts) = (at - self.began).as_nanos().checked_div(burst) {
                 at = self.began + Duration::from_nanos(((bursts + 1) * burst) as u64);

@@ -105,7 +105,7 @@ pub(super) fn read_json(path: &Path) -> Result<Value, Box<dyn Error>> {
 /// Arguments of `upload`.
 #[derive(Args)]
 pub(super) struct Upload {
-    /// The table file, as `mintime solve --save-table` writes it
+    /// The table file, as `mintime solve -o` writes it; one for any vehicle becomes this one's own
     table: PathBuf,
     /// Also keep it on the vehicle under this name
     #[arg(long)]
