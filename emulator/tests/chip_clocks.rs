@@ -85,6 +85,30 @@ fn a_dead_crystal_raises_the_monitor_and_the_chip_goes_on() {
     rig.assert_no_bugs();
 }
 
+/// The way back to speed without the crystal, RM0090 section 7.2.3, and a PLL that does not go along.
+#[test]
+fn the_pll_runs_from_the_internal_oscillator_unless_it_is_dead() {
+    for dead in [false, true] {
+        let mut rig = bare();
+        rig.start_clocks();
+        rig.set(RCC, 1 << 19);
+        rig.chip.set_pll_dead(dead);
+        let Rig { chip, memory, at, .. } = &mut rig;
+        chip.fail_crystal(memory, *at, true);
+        // 16 MHz / 8 × 168 / 2; the source is bit 22.
+        let value = rig.read(RCC + 4);
+        rig.write(RCC + 4, value & !(1 << 22 | 0x3F) | 8);
+        rig.set(RCC, 1 << 24);
+        rig.pass(400 * US);
+        assert_eq!(rig.read(RCC) >> 25 & 1, u32::from(!dead));
+        if !dead {
+            rig.set(RCC + 8, 2);
+            assert_eq!(rig.chip.clock().rates().hclk_hz, 168_000_000);
+        }
+        rig.assert_no_bugs();
+    }
+}
+
 #[test]
 fn a_port_mixes_what_it_drives_with_what_it_sees() {
     let mut rig = bare();

@@ -191,6 +191,48 @@ fn samples_come_after_the_dummy_byte_at_their_edge() {
     rig.assert_no_bugs();
 }
 
+/// A line that rings rises as often as told, and rests where the sensor holds it.
+#[test]
+fn a_data_ready_line_rings_until_it_is_told_not_to() {
+    let mut rig = board(RATE);
+    bring_up(&mut rig, 8192);
+    rig.pass(25 * MS);
+    enable(&mut rig);
+    rig.write(SYSCFG + 0x0C, 2);
+    rig.write(EXTI + 0x08, 1 << 4);
+    let from_ns = rig.ns() + 10 * US;
+    let Rig { chip, memory, .. } = &mut rig;
+    chip.ring_data_ready(memory, from_ns, Some(3 * US));
+    for edge in 0..20 {
+        rig.pass(from_ns + edge * 3 * US - rig.ns());
+        assert_eq!(rig.read(EXTI + 0x14), 1 << 4, "edge {edge}");
+        assert!(!rig.chip.level(Pin::new('C', 4)));
+        rig.write(EXTI + 0x14, 1 << 4);
+        rig.pass(2 * US);
+        assert_eq!(rig.read(EXTI + 0x14), 0, "edge {edge}");
+    }
+    let Rig { chip, memory, .. } = &mut rig;
+    chip.ring_data_ready(memory, from_ns, None);
+    rig.pass(MS);
+    assert_eq!(rig.read(EXTI + 0x14), 0);
+}
+
+#[test]
+fn a_hand_turns_the_sensor_on_top_of_all_else() {
+    let mut rig = board(RATE);
+    bring_up(&mut rig, 8192);
+    rig.pass(25 * MS);
+    enable(&mut rig);
+    rig.pass(50 * MS);
+    rig.chip.board_mut().gyro.hand_radps = [0.0, 0.0, 2.0];
+    let now = rig.ns();
+    let Rig { chip, memory, .. } = &mut rig;
+    chip.imu_sample(memory, now + MS, [0.1, 0.2, 0.3], [0.0, 0.0, 9.806_65]);
+    rig.pass(MS + US);
+    let z = i16::from_le_bytes([read_register(&mut rig, 0x16), read_register(&mut rig, 0x17)]);
+    assert_eq!(z, (2.3_f64.to_degrees() * 16.384).round() as i16);
+}
+
 #[test]
 fn mistakes_with_the_gyro_are_told() {
     // 84 MHz / 8 = 10.5 MHz.

@@ -24,8 +24,8 @@
 //! so an upload cannot delay it by more than one critical section (a copy of at most 256 bytes, or one line into the
 //! debug log). It alone owns the vehicle, gyro and motors; it takes received bytes from a ring that DMA
 //! fills and gives bytes to be sent to a pipe, so nothing else is shared but counters. Two handlers outrank it, and
-//! critical sections too: one stamps the gyro's edge, pends the tick
-//! and closes the line until the next edge may come, one stops the motors' timer at the end of a frame.
+//! critical sections too: one stamps the gyro's edge, pends the tick and closes the line until the next edge may come, one
+//! stops the motors' timer at the end of a frame.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 

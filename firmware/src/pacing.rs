@@ -1,9 +1,9 @@
 //! When a tick runs: at each data-ready edge of the gyro, and by a timer where the edge stays away.
 //!
-//! No clock and no hardware: a board tells of edges and of its timer's firing and asks how long to wait, and for how long behind
-//! an edge it need not listen to others. Every tick is
-//! later than the one before or at the same time, whatever order the two events are served in. Only a clock that runs
-//! backwards by more than a period is passed on as it is: the flight logic must see that.
+//! No clock and no hardware: a board tells of edges and of its timer's firing and asks how long to wait, and for how long
+//! behind an edge it need not listen to others. Every tick is later than the one before or at the same time, whatever order
+//! the two events are served in. Only a clock that runs backwards by more than a period is passed on as it is: the flight
+//! logic must see that.
 
 use mintime_shared::replay::TICK_PERIOD_US;
 

@@ -71,6 +71,8 @@ rows! {
     ringing_1_us_disarmed: Ringing1 in Disarmed => Disarmed;
     ringing_1_us_tracking: Ringing1 in Tracking => Tracking;
     ringing_1_us_maneuver: Ringing1 in Maneuver => Tracking within 490;
+    ringing_silent_tracking: RingingSilent in Tracking => Terminated within 35 off 35 told GyroFrozen;
+    ringing_silent_maneuver: RingingSilent in Maneuver => Terminated within 35 off 35 told GyroFrozen;
     // The link and the host.
     flipped_bits_tracking: FlippedBits in Tracking => Tracking;
     lost_bytes_tracking: LostBytes in Tracking => Tracking;

@@ -35,6 +35,7 @@ pub(crate) enum Fault {
     Ringing10,
     Ringing5,
     Ringing1,
+    RingingSilent,
     FlippedBits,
     LostBytes,
     LineNoise,
@@ -92,6 +93,7 @@ impl Fault {
             Self::Ringing10 => "data-ready line rings every 10 µs",
             Self::Ringing5 => "data-ready line rings every 5 µs",
             Self::Ringing1 => "data-ready line rings every 1 µs",
+            Self::RingingSilent => "data-ready line rings, gyro silent for 0.4 s",
             Self::FlippedBits => "link: a bit flipped in a third of the frames",
             Self::LostBytes => "link: a byte lost from a third of the frames",
             Self::LineNoise => "link: noise and breaks between the frames",
@@ -141,7 +143,7 @@ impl Fault {
             // The bit on the wire.
             Self::CrystalLost => Some("no rate of DShot"),
             Self::StackOverflow => Some("nothing lies at 0x1fff"),
-            Self::GyroSilent => Some("BMI270: samples come every"),
+            Self::GyroSilent | Self::RingingSilent => Some("BMI270: samples come every"),
             _ => None,
         }
     }
@@ -166,6 +168,10 @@ impl Fault {
             Self::Ringing10 => ring(rig, Some(10_000)),
             Self::Ringing5 => ring(rig, Some(5_000)),
             Self::Ringing1 => ring(rig, Some(1_000)),
+            Self::RingingSilent => {
+                in_world(rig, Broken::ImuSilent, window_ns);
+                ring(rig, Some(1_000));
+            }
             Self::FlippedBits => rig.damage = Damage::FlippedBits,
             Self::LostBytes => rig.damage = Damage::LostBytes,
             Self::LineNoise => rig.damage = Damage::Noise,
@@ -271,7 +277,7 @@ impl Fault {
                 break_gyro(rig, None);
             }
             Self::NoisyEdges => rig.every_pose = None,
-            Self::Ringing10 | Self::Ringing5 | Self::Ringing1 => ring(rig, None),
+            Self::Ringing10 | Self::Ringing5 | Self::Ringing1 | Self::RingingSilent => ring(rig, None),
             Self::FlippedBits | Self::LostBytes | Self::LineNoise | Self::FullLoad => {
                 rig.damage = Damage::None;
             }

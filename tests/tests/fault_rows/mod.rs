@@ -12,7 +12,7 @@ pub(crate) use phase::Phase;
 use mintime_shared::messages::{
     ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, Refusal, Reply, Request, Telemetry,
 };
-use rig::{GROUND_M, Host, MS, Rig};
+use rig::{Host, MS, Rig};
 use store::KEPT_SETTINGS;
 
 /// Watched for this long beyond the longest bound, ms.
@@ -159,10 +159,7 @@ impl Row {
     /// sets nothing.
     fn assert_stayed(&self, rig: &mut Rig) {
         match self.phase {
-            Phase::Bench => {
-                let height_m = rig.vehicle.simulator_mut().truth().position_m[2] - GROUND_M;
-                assert!(height_m.abs() < 0.01, "{height_m} m");
-            }
+            Phase::Bench => rig.assert_stands(),
             Phase::Turned => {
                 assert_eq!(rig.ask(Request::ReadSettings), Ok(Reply::Settings(KEPT_SETTINGS)));
             }

@@ -191,6 +191,7 @@ impl Rig {
                 self.go_on(Phase::Armed);
                 (self.host, self.height_m) = (Host::Flies, 0.0);
                 self.pass_ms(500);
+                self.assert_stands();
             }
             Phase::Turned => {
                 self.begin(Request::CalibrateScale { axis: 2, turns: 1 });

@@ -190,6 +190,12 @@ impl Rig {
         self.vehicle.states().last().map_or(FlightState::Boot, |(_, state)| *state)
     }
 
+    /// It stands on the ground, lifted by nobody.
+    pub(super) fn assert_stands(&mut self) {
+        let height_m = self.vehicle.simulator_mut().truth().position_m[2] - GROUND_M;
+        assert!(height_m.abs() < 0.01, "{height_m} m");
+    }
+
     pub(crate) fn bugs(&self) -> Vec<String> {
         self.vehicle.report().bugs
     }
