@@ -153,13 +153,16 @@ fn programs_with_one_clock_share_a_line() {
         let mut flight = open(Some(key)).expect("it says who it is");
         let mut other = open(Some(key)).expect("it says who it is");
         let asks = std::thread::spawn(move || (0..10).filter(|_| other.status().is_ok()).count());
-        while !asks.is_finished() {
+        let mut sent = 0;
+        while !asks.is_finished() || sent < 100 {
             flight.heartbeat().expect("a line");
             flight.listen(0.01).expect("a line");
+            sent += 1;
         }
         assert_eq!(asks.join().expect("no panic"), 10, "{way_ms} ms");
         let errors = flight.client().telemetry().expect("heard").link_errors;
-        assert!(errors < 20, "{errors} seals refused");
+        // Two seals of one instant cost one of them, and an answer to it.
+        assert!(errors * 3 < sent, "{errors} of {sent} seals refused, {way_ms} ms");
     }
 }
 

@@ -30,6 +30,9 @@ fn every_bound_of_a_vehicle_file() {
         (|v| v.torque_per_thrust_m = 0.201, Err(E::Geometry)),
         (|v| v.rotor_thrust_idle_n = 0.0, Err(E::Thrust)),
         (|v| v.rotor_thrust_idle_n = 8.5, Err(E::Thrust)),
+        // Four of them are a quarter of its 7.37 N at 0.461.
+        (|v| v.rotor_thrust_idle_n = 0.462, Err(E::Thrust)),
+        (|v| v.rotor_thrust_idle_n = 0.460, Ok(())),
         (|v| v.rotor_thrust_max_n = 2.39, Err(E::Thrust)),
         (|v| v.thrust_linear_share = -0.01, Err(E::Rotor)),
         (|v| v.thrust_linear_share = 1.01, Err(E::Rotor)),

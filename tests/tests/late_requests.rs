@@ -3,8 +3,11 @@
 mod logic;
 
 use logic::{Bench, FRESH_TICKS, HOVER, TICK_US, table};
+use mintime_firmware::flight::{Inbox, Outbox, TickInput};
+use mintime_firmware::gyro::ImuSample;
 use mintime_shared::messages::{
-    AbortReason, FlightState, Purpose, REQUEST_AGE_MS, Refusal, Reply, Request, milliseconds,
+    AbortReason, FlightState, KillSwitch, Message, PROTOCOL_VERSION, Purpose, REQUEST_AGE_MS, Refusal, Reply,
+    Request, Setpoint, Uplink, milliseconds,
 };
 
 const ARM: Request = Request::Arm(Purpose::Flight);
@@ -106,6 +109,73 @@ fn late_repetitions_are_told_that_it_is_done() {
     tested.number -= 1;
     assert_eq!(tested.ask(test.clone()), Reply::Done);
     assert_eq!(tested.ask(test), LATE, "another one");
+}
+
+/// What has no time says not that its host is there: a bridge may have kept it.
+#[test]
+fn what_has_no_time_holds_nothing_armed() {
+    let mut bench = Bench::armed();
+    bench.heartbeat = false;
+    for _ in 0..9 {
+        bench.ask(Request::Status);
+        bench.run(49);
+    }
+    assert_eq!(bench.logic.state(), FlightState::Disarmed);
+    assert_eq!(bench.abort(), Some(AbortReason::HeartbeatLost));
+}
+
+/// A host that begins anew in the air, with any number, is followed once its last setpoint is no longer fresh.
+#[test]
+fn a_host_may_begin_anew() {
+    let mut bench = Bench::flying();
+    bench.run(8 * 40);
+    let before = bench.sequence;
+    assert!(before > 30);
+    // Overtaken on the way: not flown while there is a newer one.
+    let other = Setpoint { thrust_mps2: 5.0, ..HOVER };
+    let behind = Request::Setpoint { sequence: before - 3, setpoint: other };
+    bench.tick(&[behind]);
+    bench.tick(&[]);
+    assert_eq!(bench.out.setpoint.thrust_mps2, HOVER.thrust_mps2);
+    bench.stream = None;
+    bench.run(FRESH_TICKS + 20);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
+    // The very same one again is a copy.
+    bench.tick(&[Request::Setpoint { sequence: before, setpoint: HOVER }]);
+    bench.tick(&[]);
+    assert_eq!(bench.logic.state(), FlightState::Recovery);
+    let lost = bench.telemetry().setpoints_lost;
+    bench.sequence = 0;
+    bench.stream = Some(HOVER);
+    bench.run(400);
+    assert_eq!(bench.logic.state(), FlightState::Tracking);
+    assert_eq!(bench.telemetry().setpoints_lost, lost, "none of the new host's");
+}
+
+/// However much is asked, telemetry comes: without it no request is in time.
+#[test]
+fn telemetry_has_a_place_of_its_own() {
+    let mut logic = Bench::ready().logic;
+    let mut outbox = Outbox::new();
+    let mut said = 0;
+    let begin = 900;
+    for tick in begin..begin + 800 {
+        let now_us = tick * TICK_US;
+        let mut inbox = Inbox::new();
+        for number in 0..4 {
+            let request = Request::ReadVehicle;
+            inbox
+                .push_back(Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 })
+                .expect("room");
+        }
+        let imu = Some(ImuSample { gyro_radps: [0.0; 3], accel_mps2: [0.0, 0.0, 9.81] });
+        let input = TickInput { now_us, imu, battery_v: Some(15.5), kill: KillSwitch::Run };
+        logic.tick(&input, &mut inbox, &mut outbox);
+        logic.telemeter(&mut outbox);
+        // The line carries one answer a tick.
+        said += usize::from(matches!(outbox.pop_front(), Some(Message::Telemetry(_))));
+    }
+    assert!(said >= 49, "{said} in a second");
 }
 
 /// What stops is obeyed however old it is.
