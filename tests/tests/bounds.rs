@@ -9,7 +9,7 @@ type Change<T, E> = (fn(&mut T), Result<(), E>);
 #[test]
 fn every_bound_of_a_vehicle_file() {
     use VehicleError as E;
-    let changes: [Change<VehicleConfig, E>; 49] = [
+    let changes: [Change<VehicleConfig, E>; 51] = [
         (|v| v.mass_kg = f32::NAN, Err(E::NotFinite)),
         (|v| v.sag_v_per_n = f32::INFINITY, Err(E::NotFinite)),
         (|v| v.mass_kg = 0.019, Err(E::Mass)),
