@@ -53,8 +53,9 @@ fn every_bound_of_a_vehicle_file() {
         (|v| (v.rotor_thrust_max_n, v.plan_thrust_max_mps2) = (30.0, 100.0), Ok(())),
         (|v| v.plan_thrust_max_mps2 = 45.0, Err(E::PlanLimits)),
         // Four rotors at idle, with torque in reserve, must sink.
-        (|v| v.rotor_thrust_idle_n = 1.8, Err(E::PlanLimits)),
-        (|v| v.rotor_thrust_idle_n = 1.7, Ok(())),
+        // Arms so short for its inertia that the reserve of torque lifts it.
+        (|v| v.inertia_kgm2 = [0.045, 0.0378, 0.0774], Err(E::PlanLimits)),
+        (|v| v.inertia_kgm2 = [0.040, 0.0336, 0.0688], Ok(())),
         (|v| v.plan_rate_max_radps = 0.49, Err(E::PlanLimits)),
         (|v| v.plan_rate_max_radps = 0.5, Ok(())),
         (|v| v.plan_rate_max_radps = 30.0, Ok(())),
