@@ -8,8 +8,8 @@ use mintime_firmware::flight::{FlightLogic, Inbox};
 use mintime_firmware::link::Link;
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal,
-    Reply, Request, Setpoint, Uplink,
+    ArmingBlock, FlightState, Happening, IncidentCause, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES,
+    Refusal, Reply, Request, Setpoint, Uplink,
 };
 
 const ARM: Request = Request::Arm(Purpose::Flight);
@@ -85,6 +85,17 @@ fn a_record_asked_for_twice_is_one() {
     assert_eq!(bench.refusal(Request::ReadRecord { first: total }), Refusal::NoRecord);
 }
 
+/// A record begins anew, whatever a maneuver has left in its place.
+#[test]
+fn a_record_asked_for_replaces_the_last() {
+    let mut bench = Bench::maneuver();
+    bench.run_while(FlightState::Maneuver, 2000);
+    assert!(bench.telemetry().recorded > 1000);
+    assert_eq!(bench.ask(Request::Record), Reply::Done);
+    bench.run(10);
+    assert_eq!(bench.telemetry().recorded, 11, "one a tick, from the one that began it");
+}
+
 /// Of the very moment when the calibration ends a host that asks to arm in every tick learns nothing else.
 #[test]
 fn arming_waits_until_the_calibration_is_over() {
@@ -99,19 +110,42 @@ fn arming_waits_until_the_calibration_is_over() {
     panic!("never armed");
 }
 
-/// Anybody may ask a paired vehicle who it is: that does not say that its host is there.
+/// Anybody may ask a paired vehicle who it is: that does not say that its host is there. All else does.
 #[test]
 fn a_strangers_question_is_no_sign_of_the_host() {
-    for (key, state) in [(None, FlightState::Armed), (Some(*b"a secret of both"), FlightState::Disarmed)] {
+    let key = Some(*b"a secret of both");
+    for (key, request, state) in [
+        (None, Request::Identify, FlightState::Armed),
+        (None, Request::Heartbeat, FlightState::Armed),
+        (key, Request::Identify, FlightState::Disarmed),
+        (key, Request::Heartbeat, FlightState::Armed),
+        (key, Request::Status, FlightState::Armed),
+    ] {
         let mut bench = Bench::ready();
         assert_eq!(bench.ask(Request::Pair(key)), Reply::Done);
         bench.arm();
         bench.heartbeat = false;
         for _ in 0..20 {
             bench.run(50);
-            assert!(matches!(bench.ask(Request::Identify), Reply::Identity(_)));
+            bench.tick(core::slice::from_ref(&request));
         }
-        assert_eq!(bench.logic.state(), state, "{key:?}");
+        assert_eq!(bench.logic.state(), state, "{key:?} {request:?}");
+    }
+}
+
+/// Telemetry comes as often as was asked for, from the very tick in which it was.
+#[test]
+fn telemetry_comes_as_often_as_asked_for() {
+    let mut bench = Bench::ready();
+    for (period_ms, ticks) in [(500, 400), (5, 4), (20, 16), (1000, 800)] {
+        bench.said.clear();
+        assert_eq!(bench.ask(Request::SetTelemetry { period_ms }), Reply::Done);
+        let told = |bench: &Bench| bench.said.iter().filter(|m| matches!(m, Message::Telemetry(_))).count();
+        assert_eq!(told(&bench), 1, "{period_ms} ms: at once");
+        bench.run(ticks - 1);
+        assert_eq!(told(&bench), 1, "{period_ms} ms: not before its time");
+        bench.run(1 + 2 * ticks);
+        assert_eq!(told(&bench), 4, "{period_ms} ms");
     }
 }
 
