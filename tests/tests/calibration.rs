@@ -216,21 +216,27 @@ fn an_implausible_scale_is_refused() {
     }
 }
 
-/// Samples that are no numbers change nothing.
+/// Samples and times that are no numbers change nothing, not even how long is waited.
 #[test]
 fn nonsense_changes_nothing() {
     let start = || ScaleCalibration::start(Axis::Up, 1).expect("a turn");
-    let (mut calibration, mut clean) = (start(), start());
-    for bad in [f32::NAN, f32::INFINITY] {
-        assert_eq!(calibration.update([bad, 0.0, 0.0], 1.25e-3), None);
-        assert_eq!(calibration.update([0.0; 3], bad), None);
-        assert_eq!(calibration.update([0.0; 3], -1.0), None);
+    let (nan, endless) = (f32::NAN, f32::INFINITY);
+    for (rate_radps, dt_s) in
+        [(nan, 1.25e-3), (endless, 1.25e-3), (-endless, 1.25e-3), (0.0, nan), (0.0, endless), (0.0, -1.0)]
+    {
+        let (mut calibration, mut clean) = (start(), start());
+        let mut ends = 0;
+        for step in 0..20_000 {
+            if step % 1000 == 0 {
+                assert_eq!(calibration.update([rate_radps, 0.0, 0.0], dt_s), None);
+            }
+            let result = clean.update([0.001, 0.0, 0.0], 1.25e-3);
+            assert_eq!(calibration.update([0.001, 0.0, 0.0], 1.25e-3), result, "{rate_radps} {dt_s} {step}");
+            assert_eq!(calibration.may_turn(), clean.may_turn());
+            ends += u32::from(result == Some(Err(CalibrationError::NotTurned)));
+        }
+        assert_eq!(ends, 1);
     }
-    for _ in 0..500 {
-        let rates = [0.001, 0.0, 0.0];
-        assert_eq!(calibration.update(rates, 1.25e-3), clean.update(rates, 1.25e-3));
-    }
-    assert!(calibration.may_turn() && clean.may_turn());
 }
 
 /// The gyro multiplies by a credible scale and by no other.

@@ -4,6 +4,7 @@
 mod logic;
 
 use logic::{BOTH, Bench, HOVER, bytes_of, chunk, name, table, table_of};
+use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::{FlightLogic, Inbox};
 use mintime_firmware::link::Link;
 use mintime_shared::framing::encode;
@@ -162,6 +163,31 @@ fn overtaken_setpoints_are_not_flown() {
         bench.tick(&[Request::Setpoint { sequence: sequence.wrapping_add(ahead), setpoint: asked }]);
         assert_eq!(bench.out.setpoint, flown, "{ahead}");
     }
+}
+
+/// Half of all sequence numbers lie ahead of the last one, half behind it.
+#[test]
+fn a_setpoint_far_ahead_is_new_and_one_further_is_old() {
+    let yaw = Setpoint { rates_radps: [0.0, 0.0, 1.0], ..HOVER };
+    for (ahead, flown) in [(0x7fff, yaw), (0x8000, HOVER), (0xffff, HOVER)] {
+        let mut bench = Bench::flying();
+        bench.stream = None;
+        let sequence = bench.sequence.wrapping_add(ahead);
+        bench.tick(&[Request::Setpoint { sequence, setpoint: yaw }]);
+        assert_eq!(bench.out.setpoint, flown, "{ahead}");
+    }
+}
+
+/// A battery at its limit is not below it.
+#[test]
+fn a_battery_at_its_limit_is_enough_to_arm_and_to_trigger() {
+    let mut bench = Bench::ready();
+    bench.commit(&table());
+    bench.battery_v = Some(VehicleConfig::REFERENCE.battery_low_v);
+    bench.arm();
+    bench.stream = Some(HOVER);
+    bench.run(60);
+    assert_eq!(bench.trigger(), Reply::Done);
 }
 
 /// Setpoints on their way while the motors stop are nobody's fault, whatever it was armed for.
