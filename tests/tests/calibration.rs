@@ -239,6 +239,21 @@ fn nonsense_changes_nothing() {
     }
 }
 
+/// Whoever took long to put it down has as long as anybody to turn it.
+#[test]
+fn each_wait_has_its_own_time() {
+    let mut calibration = ScaleCalibration::start(Axis::Up, 1).expect("a turn");
+    let dt_s = 1.25e-3;
+    for step in 0..12_000 {
+        let restless = if step % 2 == 0 { 0.2 } else { -0.2 };
+        assert_eq!(calibration.update([restless, 0.0, 0.0], dt_s), None);
+    }
+    let mut update = |_: &u32| calibration.update([0.001, 0.0, 0.0], dt_s);
+    assert_eq!((0..400).filter_map(|step| update(&step)).count(), 0);
+    let waited = (1..20_000).find(|step| update(step) == Some(Err(CalibrationError::NotTurned)));
+    assert!(waited.is_some_and(|steps| steps.abs_diff(16_000) < 20), "{waited:?}");
+}
+
 /// The gyro multiplies by a credible scale and by no other.
 #[test]
 fn the_gyro_applies_the_scale() {
