@@ -289,3 +289,17 @@ fn a_disarm_finds_room() {
     assert_eq!(receive(5, Request::Heartbeat), (Some(4), 1), "lost, and counted");
     assert_eq!(receive(6, Request::Disarm), (Some(6), 2));
 }
+
+/// Where there is room a stop displaces nothing.
+#[test]
+fn a_stop_that_has_room_displaces_nothing() {
+    let (mut link, mut inbox) = (Link::new(), Inbox::new());
+    for (number, request) in
+        [(1, Request::Heartbeat), (2, Request::EmergencyStop), (3, Request::Status), (4, Request::Disarm)]
+    {
+        let uplink = Uplink { version: PROTOCOL_VERSION, number, request };
+        link.receive(encode(&uplink).expect("it fits").as_bytes(), None, &mut inbox);
+    }
+    assert_eq!(inbox.iter().map(|uplink| uplink.number).collect::<Vec<_>>(), [1, 2, 3, 4]);
+    assert_eq!(link.errors(), 0);
+}
