@@ -90,7 +90,7 @@ impl<M: RecordMemory> FlightLogic<M> {
 
     /// Highest thrust allowed, m/s², where it is capped.
     pub(crate) fn thrust_cap_mps2(&self) -> Option<f32> {
-        let on_bench = self.kill_is_waived() || (self.on_bench && self.state().motors_on());
+        let on_bench = self.kill_is_waived() || self.on_bench;
         on_bench.then_some(self.settings.bench_thrust_mps2)
     }
 

@@ -235,21 +235,46 @@ fn an_implausible_scale_is_refused() {
     }
 }
 
-/// Samples that are no numbers change nothing.
+/// Samples and times that are no numbers change nothing, not even how long is waited.
 #[test]
 fn nonsense_changes_nothing() {
     let start = || ScaleCalibration::start(Axis::Up, 1).expect("a turn");
-    let (mut calibration, mut clean) = (start(), start());
-    for bad in [f32::NAN, f32::INFINITY] {
-        assert_eq!(calibration.update(Some([bad, 0.0, 0.0]), 1.25e-3), None);
-        assert_eq!(calibration.update(Some([0.0; 3]), bad), None);
-        assert_eq!(calibration.update(Some([0.0; 3]), -1.0), None);
+    let (nan, endless) = (f32::NAN, f32::INFINITY);
+    for (rate_radps, dt_s) in
+        [(nan, 0.0), (endless, 0.0), (-endless, 0.0), (0.0, nan), (0.0, endless), (0.0, -1.0)]
+    {
+        let (mut calibration, mut clean) = (start(), start());
+        let mut ends = 0;
+        for step in 0..20_000 {
+            if step % 1000 == 0 {
+                assert_eq!(calibration.update(Some([rate_radps, 0.0, 0.0]), dt_s), None);
+            }
+            let result = clean.update(Some([0.001, 0.0, 0.0]), 1.25e-3);
+            assert_eq!(
+                calibration.update(Some([0.001, 0.0, 0.0]), 1.25e-3),
+                result,
+                "{rate_radps} {dt_s} {step}"
+            );
+            assert_eq!(calibration.may_turn(), clean.may_turn());
+            ends += u32::from(result == Some(Err(CalibrationError::NotTurned)));
+        }
+        assert_eq!(ends, 1);
     }
-    for _ in 0..500 {
-        let rates = [0.001, 0.0, 0.0];
-        assert_eq!(calibration.update(Some(rates), 1.25e-3), clean.update(Some(rates), 1.25e-3));
+}
+
+/// Whoever took long to put it down has as long as anybody to turn it.
+#[test]
+fn each_wait_has_its_own_time() {
+    let mut calibration = ScaleCalibration::start(Axis::Up, 1).expect("a turn");
+    let dt_s = 1.25e-3;
+    for step in 0..12_000 {
+        let restless = if step % 2 == 0 { 0.2 } else { -0.2 };
+        assert_eq!(calibration.update(Some([restless, 0.0, 0.0]), dt_s), None);
     }
-    assert!(calibration.may_turn() && clean.may_turn());
+    let mut update = |_: &u32| calibration.update(Some([0.001, 0.0, 0.0]), dt_s);
+    assert_eq!((0..400).filter_map(|step| update(&step)).count(), 0);
+    let waited = (1..20_000).find(|step| update(step) == Some(Err(CalibrationError::NotTurned)));
+    assert!(waited.is_some_and(|steps| steps.abs_diff(16_000) < 20), "{waited:?}");
 }
 
 /// The gyro multiplies by a credible scale and by no other.

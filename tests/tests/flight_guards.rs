@@ -3,12 +3,12 @@
 mod logic;
 
 use logic::{BOTH, Bench, FRESH_TICKS, HOVER, TICK_US, table};
-use mintime_firmware::config::{RUNAWAY_TICKS, SATURATED_TICKS, VehicleConfig};
+use mintime_firmware::config::{Capabilities, RUNAWAY_TICKS, SATURATED_TICKS, VehicleConfig};
 use mintime_firmware::flight::FlightLogic;
 use mintime_firmware::gyro::ImuSample;
 use mintime_shared::messages::{
-    AbortReason, ArmingBlock, FlightState, KillSwitch, Purpose, RECORD_BYTES, RecordedTick, Refusal, Reply,
-    Request, Setpoint, record_flags,
+    AbortReason, ArmingBlock, FlightState, IncidentCause, KillSwitch, Purpose, RECORD_BYTES, RecordedTick,
+    Refusal, Reply, Request, Setpoint, record_flags,
 };
 use mintime_shared::settings::Settings;
 use mintime_shared::table::LinkPolicy;
@@ -242,6 +242,28 @@ fn a_bench_cap_below_idle_leaves_the_rotors_at_idle() {
         assert_eq!(bench.logic.state(), FlightState::Tracking);
         bench.out.throttle.expect("motors on").into_iter().for_each(check);
     }
+}
+
+/// What stopped the motors in an earlier run blocks arming in this one, which has not stopped any.
+#[test]
+fn a_termination_of_an_earlier_run_blocks_arming() {
+    let mut bench = Bench::ready();
+    bench.logic.report(IncidentCause::Terminated(AbortReason::KillSwitch));
+    let blocked = Refusal::ArmingBlocked(ArmingBlock::INCIDENT.0);
+    assert_eq!(bench.refusal(Request::Arm(Purpose::Flight)), blocked);
+    assert_eq!(bench.acknowledge(), Reply::Done);
+    assert_eq!(bench.logic.state(), FlightState::Disarmed);
+    bench.arm();
+}
+
+/// A gyro that is not there is not silent and not uncalibrated: one bit tells what to look at.
+#[test]
+fn a_gyro_that_is_not_there_is_that_and_nothing_else() {
+    let mut bench = Bench::with(Capabilities { gyro: false, motors: true });
+    for _ in 0..900 {
+        bench.tick_with(None, TICK_US, &[]);
+    }
+    assert_eq!(ArmingBlock(bench.telemetry().arming_block), ArmingBlock::NO_GYRO);
 }
 
 /// As long as no sample has come the gyro is silent: nobody waits for that to be found out.

@@ -52,6 +52,29 @@ fn a_recovery_goes_by_whole_samples() {
     }
 }
 
+/// However wrong the specific force, the thrust stays within its range, and comes back from its end at once.
+#[test]
+fn a_recoverys_thrust_keeps_to_its_range() {
+    let (low, high) = RECOVERY_RANGE;
+    for (force_mps2, end_mps2, back_mps2) in
+        [(0.0, high * SINKS_MPS2, 30.0), (100.0, low * SINKS_MPS2, -30.0)]
+    {
+        let mut bench = Bench::in_state(FlightState::Recovery);
+        let mut fly = |force_mps2: f32, ticks: usize| {
+            for _ in 0..ticks {
+                let sample = ImuSample { accel_mps2: [0.0, 0.0, force_mps2], ..bench.sample() };
+                bench.tick_with(Some(sample), TICK_US, &[]);
+            }
+            assert_eq!(bench.logic.state(), FlightState::Recovery);
+            bench.out.setpoint.thrust_mps2
+        };
+        let most = fly(force_mps2, SETTLES_TICKS + 100);
+        assert!((most - end_mps2).abs() < 0.01, "{most} for {end_mps2}");
+        let back = fly(back_mps2, 10);
+        assert!((back - most).abs() > 0.5, "{most}, then {back}");
+    }
+}
+
 /// Beyond 60 degrees of tilt it turns upright first, with little thrust; within it sinks.
 #[test]
 fn a_tilted_recovery_turns_upright_first() {

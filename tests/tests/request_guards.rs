@@ -4,12 +4,13 @@
 mod logic;
 
 use logic::{BOTH, Bench, HOVER, bytes_of, chunk, name, table, table_of};
+use mintime_firmware::config::VehicleConfig;
 use mintime_firmware::flight::{FlightLogic, Inbox};
 use mintime_firmware::link::Link;
 use mintime_shared::framing::encode;
 use mintime_shared::messages::{
-    ArmingBlock, FlightState, Happening, IncidentCause, PROTOCOL_VERSION, Purpose, RECORD_BYTES, Refusal,
-    Reply, Request, Setpoint, Uplink,
+    ArmingBlock, FlightState, Happening, IncidentCause, Message, PROTOCOL_VERSION, Purpose, RECORD_BYTES,
+    Refusal, Reply, Request, Setpoint, Uplink,
 };
 
 const ARM: Request = Request::Arm(Purpose::Flight);
@@ -85,6 +86,17 @@ fn a_record_asked_for_twice_is_one() {
     assert_eq!(bench.refusal(Request::ReadRecord { first: total }), Refusal::NoRecord);
 }
 
+/// A record begins anew, whatever a maneuver has left in its place.
+#[test]
+fn a_record_asked_for_replaces_the_last() {
+    let mut bench = Bench::maneuver();
+    bench.run_while(FlightState::Maneuver, 2000);
+    assert!(bench.telemetry().recorded > 1000);
+    assert_eq!(bench.ask(Request::Record), Reply::Done);
+    bench.run(10);
+    assert_eq!(bench.telemetry().recorded, 11, "one a tick, from the one that began it");
+}
+
 /// Of the very moment when the calibration ends a host that asks to arm in every tick learns nothing else.
 #[test]
 fn arming_waits_until_the_calibration_is_over() {
@@ -99,19 +111,42 @@ fn arming_waits_until_the_calibration_is_over() {
     panic!("never armed");
 }
 
-/// Anybody may ask a vehicle who it is, paired or not: that does not say that its host is there.
+/// Whoever asks how it is or who, paired or not, does not say that its host is there.
 #[test]
 fn a_strangers_question_is_no_sign_of_the_host() {
-    for key in [None, Some(*b"a secret of both")] {
+    let key = Some(*b"a secret of both");
+    for (key, request, state) in [
+        (None, Request::Identify, FlightState::Disarmed),
+        (None, Request::Heartbeat, FlightState::Armed),
+        (key, Request::Identify, FlightState::Disarmed),
+        (key, Request::Heartbeat, FlightState::Armed),
+        (key, Request::Status, FlightState::Disarmed),
+    ] {
         let mut bench = Bench::ready();
         assert_eq!(bench.ask(Request::Pair(key)), Reply::Done);
         bench.arm();
         bench.heartbeat = false;
         for _ in 0..20 {
             bench.run(50);
-            assert!(matches!(bench.ask(Request::Identify), Reply::Identity(_)));
+            bench.tick(core::slice::from_ref(&request));
         }
-        assert_eq!(bench.logic.state(), FlightState::Disarmed, "{key:?}");
+        assert_eq!(bench.logic.state(), state, "{key:?} {request:?}");
+    }
+}
+
+/// Telemetry comes as often as was asked for, from the very tick in which it was.
+#[test]
+fn telemetry_comes_as_often_as_asked_for() {
+    let mut bench = Bench::ready();
+    for (period_ms, ticks) in [(50, 40), (5, 4), (20, 16), (100, 80)] {
+        bench.said.clear();
+        assert_eq!(bench.ask(Request::SetTelemetry { period_ms }), Reply::Done);
+        let told = |bench: &Bench| bench.said.iter().filter(|m| matches!(m, Message::Telemetry(_))).count();
+        assert_eq!(told(&bench), 1, "{period_ms} ms: at once");
+        bench.run(ticks - 1);
+        assert_eq!(told(&bench), 1, "{period_ms} ms: not before its time");
+        bench.run(1 + 2 * ticks);
+        assert_eq!(told(&bench), 4, "{period_ms} ms");
     }
 }
 
@@ -128,6 +163,31 @@ fn overtaken_setpoints_are_not_flown() {
         bench.tick(&[Request::Setpoint { sequence: sequence.wrapping_add(ahead), setpoint: asked }]);
         assert_eq!(bench.out.setpoint, flown, "{ahead}");
     }
+}
+
+/// Half of all sequence numbers lie ahead of the last one, half behind it.
+#[test]
+fn a_setpoint_far_ahead_is_new_and_one_further_is_old() {
+    let yaw = Setpoint { rates_radps: [0.0, 0.0, 1.0], ..HOVER };
+    for (ahead, flown) in [(0x7fff, yaw), (0x8000, HOVER), (0xffff, HOVER)] {
+        let mut bench = Bench::flying();
+        bench.stream = None;
+        let sequence = bench.sequence.wrapping_add(ahead);
+        bench.tick(&[Request::Setpoint { sequence, setpoint: yaw }]);
+        assert_eq!(bench.out.setpoint, flown, "{ahead}");
+    }
+}
+
+/// A battery at its limit is not below it.
+#[test]
+fn a_battery_at_its_limit_is_enough_to_arm_and_to_trigger() {
+    let mut bench = Bench::ready();
+    bench.commit(&table());
+    bench.battery_v = Some(VehicleConfig::REFERENCE.battery_low_v);
+    bench.arm();
+    bench.stream = Some(HOVER);
+    bench.run(60);
+    assert_eq!(bench.trigger(), Reply::Done);
 }
 
 /// Setpoints on their way while the motors stop are nobody's fault, whatever it was armed for.
@@ -228,4 +288,18 @@ fn a_disarm_finds_room() {
     }
     assert_eq!(receive(5, Request::Heartbeat), (Some(4), 1), "lost, and counted");
     assert_eq!(receive(6, Request::Disarm), (Some(6), 2));
+}
+
+/// Where there is room a stop displaces nothing.
+#[test]
+fn a_stop_that_has_room_displaces_nothing() {
+    let (mut link, mut inbox) = (Link::new(), Inbox::new());
+    for (number, request) in
+        [(1, Request::Heartbeat), (2, Request::EmergencyStop), (3, Request::Status), (4, Request::Disarm)]
+    {
+        let uplink = Uplink { version: PROTOCOL_VERSION, number, request, heard_ms: 0 };
+        link.receive(encode(&uplink).expect("it fits").as_bytes(), None, &mut inbox);
+    }
+    assert_eq!(inbox.iter().map(|uplink| uplink.number).collect::<Vec<_>>(), [1, 2, 3, 4]);
+    assert_eq!(link.errors(), 0);
 }
