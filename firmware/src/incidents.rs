@@ -148,8 +148,11 @@ mod tests {
     #[test]
     fn zero_is_nobodys_number() {
         let mut incidents = Incidents::new();
+        incidents.number_after(1000);
         incidents.latest = u16::MAX;
         incidents.push(IncidentCause::Watchdog);
         assert_eq!(numbers(&incidents), [1]);
+        // Numbers that have gone round are this run's own all the same.
+        assert!(incidents.acknowledge(1) && incidents.is_over(1));
     }
 }

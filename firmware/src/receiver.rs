@@ -141,9 +141,8 @@ impl Parser {
         let frame = (check == [crc8(body)]).then(|| decode(body)).flatten();
         if frame.is_none() {
             self.errors = self.errors.saturating_add(1);
-            // The beginning may have been none: look for the next one in what came since.
+            // The beginning may have been none: with the next byte another is looked for in what came since.
             self.drop_front(1);
-            self.align();
             return None;
         }
         self.drop_front(whole);
@@ -153,7 +152,7 @@ impl Parser {
     /// Length of the frame under way, once all of it is there.
     fn whole(&self) -> Option<usize> {
         let length = usize::from(*self.bytes.get(1)?) + 2;
-        (self.length >= 2 && self.length >= length).then_some(length)
+        (self.length >= length).then_some(length)
     }
 
     /// Drops bytes until a frame may begin with the first one.

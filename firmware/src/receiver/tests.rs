@@ -62,8 +62,15 @@ fn a_switch_that_becomes_another_is_lost_until_it_is_heard() {
         assert_eq!(kill.state(), KillState::Lost);
         assert_eq!(kill.update(ms * MS, &[]), KillState::Lost);
     }
-    kill.update(1000 * MS, &switch(HIGH));
-    assert_eq!(kill.state(), KillState::Kill);
+    // The old channel says run for as long as it likes: the new one counts.
+    for n in 0..5 {
+        assert_eq!(kill.update((1000 + n) * MS, &switch(HIGH)), KillState::Kill);
+    }
+    for n in 5..10 {
+        let state = kill.update((1000 + n) * MS, &channels([HIGH; CHANNELS]));
+        assert_eq!(state, if n < 7 { KillState::Kill } else { KillState::Run }, "{n}");
+    }
+    assert_eq!(kill.frames(), 10);
     let mut silent = KillSwitch::new(KillSwitchConfig::DEFAULT);
     silent.configure(other);
     assert_eq!(silent.update(0, &[]), KillState::Unknown);
