@@ -2,8 +2,8 @@
 //!
 //! Every length is bounded. Bytes that are not messages are counted and dropped; requests that arrive faster than the
 //! flight logic takes them are dropped too, counted, and asked again by the host. Where host and vehicle are paired, what
-//! is not sealed is refused, but for the question who is there: that is where a host learns the session's number. It is taken
-//! into an empty inbox only, so that strangers who ask do not keep the host's requests out.
+//! is not sealed is refused, but for the question who is there: that is where a host learns the session's number. One in 20 ms is
+//! taken, behind the host's own requests, so that strangers who ask do not keep those out.
 
 use heapless::Deque;
 use mintime_shared::framing::{Decoder, Frame, parse};
@@ -30,6 +30,8 @@ pub struct Link {
     last_counter: u32,
     /// Ticks until a stranger's question is taken again.
     deaf_ticks: u8,
+    /// A stranger's question who is there.
+    question: Option<Uplink>,
     /// Requests that were not sealed and wait for being told so.
     unsealed: Deque<u16, 2>,
 }
@@ -45,6 +47,7 @@ impl Link {
             session: 0,
             last_counter: 0,
             deaf_ticks: 0,
+            question: None,
             unsealed: Deque::new(),
         }
     }
@@ -84,24 +87,39 @@ impl Link {
                             self.last_counter = counter;
                             parse(content).ok()
                         }
-                        // Without a seal, or with one that is old or another's: whoever sent it is told.
-                        None => unsealed(content).filter(|uplink| {
-                            let harmless = matches!(uplink.request, Request::Identify);
-                            if !harmless {
-                                let _ = self.unsealed.push_back(uplink.number);
+                        // Without a seal, or with one that is old or another's: whoever sent it is told. A stranger takes
+                        // neither room that the host may need nor much of the line: he asks again.
+                        None => match unsealed(content) {
+                            Some(question) if matches!(question.request, Request::Identify) => {
+                                if self.deaf_ticks == 0 {
+                                    self.deaf_ticks = QUESTION_TICKS;
+                                    self.question = Some(question);
+                                    continue;
+                                }
+                                None
                             }
-                            // A stranger takes neither room that the host may need nor much of the line: he asks again.
-                            let taken = harmless && inbox.is_empty() && self.deaf_ticks == 0;
-                            if taken {
-                                self.deaf_ticks = QUESTION_TICKS;
+                            other => {
+                                if let Some(other) = other {
+                                    let _ = self.unsealed.push_back(other.number);
+                                }
+                                None
                             }
-                            taken
-                        }),
+                        },
                     },
                 },
             };
             let lost = uplink.is_none_or(|uplink| !admit(uplink, inbox));
             self.errors = self.errors.saturating_add(u32::from(lost));
+        }
+    }
+
+    /// Puts a stranger's question behind all that the host said since the last tick, if there is room.
+    pub fn put_question(&mut self, inbox: &mut Inbox) {
+        if !inbox.is_full()
+            && let Some(question) = self.question.take()
+        {
+            // There is room.
+            let _ = inbox.push_back(question);
         }
     }
 

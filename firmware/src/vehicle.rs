@@ -64,6 +64,7 @@ impl<M: RecordMemory> Vehicle<M> {
     pub fn tick(&mut self, input: &TickInput) -> TickOutput {
         self.conclude();
         self.logic.set_link_status(self.link.errors(), self.link.last_counter());
+        self.link.put_question(&mut self.inbox);
         self.logic.command(input, &self.inbox)
     }
 

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::Args;
 use mintime::flight::Client;
@@ -51,14 +52,22 @@ impl Stop {
             let request = if identify { Request::Identify } else { Request::EmergencyStop };
             let now_s = link.now_s();
             // Under one number, so that on a slow line the answer to an earlier try counts.
-            if client.is_waiting_for(&request) {
-                client.insist(&mut link, now_s)?;
+            let sent = if client.is_waiting_for(&request) {
+                client.insist(&mut link, now_s)
             } else {
-                client.ask(&mut link, request, now_s)?;
+                client.ask(&mut link, request, now_s)
+            };
+            // A line that fails now may carry the next one.
+            if let Err(error) = sent {
+                said = Some(error.to_string());
             }
             let until_s = now_s + PERIOD_S;
             while link.now_s() < until_s {
-                link.wait(until_s - link.now_s())?;
+                if let Err(error) = link.wait(until_s - link.now_s()) {
+                    said = Some(error.to_string());
+                    std::thread::sleep(Duration::from_secs_f64(PERIOD_S));
+                    break;
+                }
                 let now_s = link.now_s();
                 let answer = client.poll(&mut link, now_s);
                 let off = client.telemetry().is_some_and(|t| t.state == FlightState::Terminated);

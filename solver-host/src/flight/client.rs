@@ -14,14 +14,14 @@ use mintime_shared::messages::{
 use mintime_shared::seal::{PairingKey, seal, vouch};
 
 use super::connection::{ConnectionError, Line};
-use super::seal_counter::{self, SealCounter};
+use super::seal_counter::{self, LONGEST_TRIP_S, SealCounter};
 
 /// An answer is waited for this long before the request is sent again, s.
 const ANSWER_TIMEOUT_S: f64 = 0.05;
 /// Times a request is sent before the vehicle counts as silent. Every request is harmless when repeated.
 const TRIES: u32 = 10;
-/// Of streamed setpoints some may lose against another program's seals; of so many refused this program is behind.
-const REFUSED_SEALS: usize = 5;
+/// A request whose seal is refused is sent anew, with the vehicle's counter known, this often.
+const LEARNED_ANEW: u32 = 8;
 /// Numbers that are remembered of what was sealed, and of questions who is there: a second of a flight.
 const REMEMBERED: usize = 128;
 /// What is under way on the vehicle is asked for again this often, s ...
@@ -68,6 +68,8 @@ struct Pending {
     working_since_s: Option<f64>,
     /// How it was refused, where that may pass: its seal was overtaken, or it came too late.
     refused: Option<Refusal>,
+    /// It was sent anew with a counter that the vehicle told.
+    learned: u32,
     /// Telemetry messages before it was asked.
     telemetry_count: u64,
 }
@@ -105,8 +107,6 @@ pub struct Client {
     seals: SealCounter,
     /// Numbers of what was sealed last.
     sealed: VecDeque<u16>,
-    /// Of these so many were refused since the vehicle was asked for its counter.
-    refused_seals: usize,
     /// The last questions who is there.
     questions: VecDeque<Question>,
 }
@@ -202,6 +202,7 @@ impl Client {
             tries: 1,
             working_since_s: None,
             refused: None,
+            learned: 0,
             telemetry_count: self.telemetry_count,
         });
         Ok(())
@@ -218,6 +219,12 @@ impl Client {
         pending.tries += 1;
         pending.sent_s = now_s;
         let (number, request) = (pending.number, pending.request.clone());
+        if let Some(question) = self.questions.iter_mut().rfind(|q| q.number == number) {
+            question.asked_s = now_s;
+        } else if request == Request::Identify {
+            // Its answer was not believed.
+            remember(&mut self.questions, Question { number, asked_s: now_s, counter_only: false });
+        }
         self.transmit(line, number, request)
     }
 
@@ -249,7 +256,8 @@ impl Client {
     /// Reads what has arrived: telemetry counts at once, replies wait for [`poll`](Self::poll).
     fn hear(&mut self, line: &mut impl Line) -> Result<(), ConnectionError> {
         self.received.clear();
-        line.receive(&mut self.received)?;
+        // What came before a failure counts.
+        let end = line.receive(&mut self.received);
         for byte in &self.received {
             match self.decoder.push::<Downlink>(*byte) {
                 None => {}
@@ -270,7 +278,7 @@ impl Client {
                 }
             }
         }
-        Ok(())
+        end
     }
 
     /// What a reply means for the request under way: `Some` where it ends it. Answers to requests that were repeated and
@@ -312,26 +320,43 @@ impl Client {
     ) -> Result<(), ConnectionError> {
         match reply {
             Reply::Identity(identity) => {
-                // Late ones count, too: on a slow line there is no other.
-                let Some(question) = self.questions.iter().rfind(|q| q.number == number) else {
+                // Late ones count, too: on a slow line there is no other. Once: other programs have the same numbers.
+                let Some(place) = self.questions.iter().rposition(|q| q.number == number) else {
                     return Ok(());
                 };
+                let question = self.questions.remove(place);
+                let ago_s = |question: &Question| now_s - question.asked_s;
+                let Some(question) = question.filter(|q| ago_s(q) <= LONGEST_TRIP_S) else {
+                    return Ok(());
+                };
+                let begins = !question.counter_only && self.session != Some(identity.session);
                 if !question.counter_only {
                     self.session = identity.paired.then_some(identity.session);
                 }
                 let vouched =
                     |key| vouch(key, identity.session, identity.last_counter) == identity.last_counter_mac;
-                if self.session == Some(identity.session) && self.key.as_ref().is_some_and(vouched) {
-                    let ago_s = now_s - question.asked_s;
-                    self.seals.catch_up(identity.last_counter, ago_s, seal_counter::now_s());
+                if self.session != Some(identity.session) || !self.key.as_ref().is_some_and(vouched) {
+                    return Ok(());
+                }
+                let (last, unix_s) = (identity.last_counter, seal_counter::now_s());
+                if begins {
+                    self.seals.meet(last, ago_s(&question), unix_s);
+                } else {
+                    self.seals.catch_up(last, ago_s(&question), unix_s);
+                }
+                let refused = |pending: &&mut Pending| {
+                    pending.refused == Some(Refusal::NotSealed) && pending.learned < LEARNED_ANEW
+                };
+                if let Some(pending) = self.pending.as_mut().filter(refused) {
+                    pending.learned += 1;
+                    pending.refused = None;
+                    pending.tries = 0;
+                    self.insist(line, now_s)?;
                 }
             }
             Reply::Refused(Refusal::NotSealed) if self.sealed.contains(&number) => {
-                self.refused_seals += 1;
-                let wanted = self.pending.as_ref().is_some_and(|pending| pending.number == number);
-                let asked = self.questions.back().is_some_and(|last| now_s - last.asked_s < ANSWER_TIMEOUT_S);
-                if (wanted || self.refused_seals >= REFUSED_SEALS) && !asked {
-                    self.refused_seals = 0;
+                let recent = |last: &Question| now_s - last.asked_s < ANSWER_TIMEOUT_S;
+                if !self.questions.back().is_some_and(recent) {
                     let number = self.next_number();
                     remember(&mut self.questions, Question { number, asked_s: now_s, counter_only: true });
                     self.transmit(line, number, Request::Identify)?;

@@ -136,9 +136,9 @@ const FROZEN_POSE_S: f64 = 0.2;
 /// A vehicle that is left alone has switched off by then: its own recovery lasts 5 s at most.
 const RECOVERY_TIMEOUT: Duration = Duration::from_secs(7);
 /// Times an emergency stop is sent.
-const STOP_TRIES: u32 = 20;
-/// What passes at least between two of them where no pose tells the time, s.
-const STOP_PERIOD_S: f64 = 0.01;
+const STOP_TRIES: u32 = 100;
+/// What passes at least between two of them where no pose tells the time.
+const STOP_PERIOD: Duration = Duration::from_millis(10);
 
 /// Flies a table. The vehicle stands on the ground, level, below the start.
 ///
@@ -338,7 +338,11 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
         let mut heard = self.client.telemetry_count();
         while since.elapsed() < RECOVERY_TIMEOUT {
             // Time passes in here, with a pose or without.
-            let _ = self.connection.next_pose();
+            match self.connection.next_pose() {
+                Ok(pose) => self.now_s = pose.arrived_s,
+                Err(ConnectionError::Stopped) => return self.stop(),
+                Err(_) => {}
+            }
             let _ = self.client.poll(self.connection, self.now_s);
             let count = self.client.telemetry_count();
             let Some(state) = self.client.telemetry().map(|t| t.state).filter(|_| count > heard) else {
@@ -365,10 +369,13 @@ impl<'a, C: Connection, W: Witness> Flight<'a, C, W> {
             } else {
                 self.client.ask(self.connection, Request::EmergencyStop, self.now_s)
             };
-            // Time passes in here, with a pose or without.
+            // Time passes in here, with a pose; without one it may not.
             self.now_s = match self.connection.next_pose() {
                 Ok(pose) => pose.arrived_s,
-                Err(_) => self.now_s + STOP_PERIOD_S,
+                Err(_) => {
+                    std::thread::sleep(STOP_PERIOD);
+                    self.now_s + STOP_PERIOD.as_secs_f64()
+                }
             };
             if matches!(self.client.poll(self.connection, self.now_s), Ok(Some(_))) {
                 return;
