@@ -54,6 +54,9 @@ const MAX_POSITION_M: f32 = 1000.0;
 const MAX_VELOCITY_MPS: f32 = 100.0;
 /// Angles beyond this are nonsense, rad: eight turns.
 const MAX_ANGLE_RAD: f32 = 51.0;
+/// Highest thrust per mass, m/s², and body rate, rad/s, of any vehicle: hundreds of times what there is. Beyond, the motion of an
+/// arc is no number in 32 bits.
+const MAX_LIMIT: f32 = 1e4;
 /// How far a table's gravity may be from the vehicle's, m/s²: gravity varies by that over the Earth.
 const GRAVITY_TOLERANCE_MPS2: f32 = 0.05;
 /// Largest magnitude of an arc's width and peak time, s: wider is straight, later is elsewhere.
@@ -394,7 +397,9 @@ impl ManeuverTable {
                 && within([s.vx, s.vz], MAX_VELOCITY_MPS)
                 && s.theta.abs() <= MAX_ANGLE_RAD
         };
-        if !(in_range(&self.start)
+        let limits = [self.limits.thrust_max_mps2, self.limits.rate_max_radps];
+        if !(within(limits, MAX_LIMIT)
+            && in_range(&self.start)
             && in_range(&self.end)
             && self.heading_rad.abs() <= 2.0 * core::f32::consts::PI)
         {

@@ -373,6 +373,8 @@ fn every_refusal_has_its_reason() {
         ("infinite rate", forged_float(at::RATE, f32::INFINITY), TableError::Limits(LimitsError::NotFinite)),
         ("no gravity", forged_float(at::GRAVITY, 0.0), TableError::Limits(LimitsError::Gravity)),
         ("negative gravity", forged_float(at::GRAVITY, -9.81), TableError::Limits(LimitsError::Gravity)),
+        ("a rate beyond all vehicles", forged_float(at::RATE, 1.001e4), TableError::NotFinite),
+        ("a thrust beyond all vehicles", forged_float(at::THRUST_MAX, 1.001e4), TableError::NotFinite),
         ("zero rate", forged_float(at::RATE, 0.0), TableError::Limits(LimitsError::Rate)),
         ("negative rate", forged_float(at::RATE, -10.0), TableError::Limits(LimitsError::Rate)),
         (
